@@ -1,0 +1,34 @@
+# Compiler settings shared by every target, and helpers to declare libraries and tests.
+
+add_library(rover_options INTERFACE)
+# Contraction to fused multiply-add would make a run's hash depend on the optimiser.
+target_compile_options(rover_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+    -Wimplicit-fallthrough -Wdouble-promotion -ffp-contract=off
+    $<$<BOOL:${ROVER_WERROR}>:-Werror>)
+target_include_directories(rover_options INTERFACE "${CMAKE_SOURCE_DIR}")
+if(ROVER_SANITIZE)
+    target_compile_options(rover_options INTERFACE -fsanitize=${ROVER_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(rover_options INTERFACE -fsanitize=${ROVER_SANITIZE})
+endif()
+
+# rover_add_library(NAME SOURCES...): a static library with the house settings.
+function(rover_add_library name)
+    add_library(${name} STATIC ${ARGN})
+    target_link_libraries(${name} PRIVATE rover_options)
+    target_include_directories(${name} PUBLIC "${CMAKE_SOURCE_DIR}")
+endfunction()
+
+# rover_add_test(NAME LABEL SOURCES... LIBS libs...): one GoogleTest program, one ctest entry a test.
+function(rover_add_test name)
+    cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;LIBS" ${ARGN})
+    add_executable(${name} ${ARG_SOURCES})
+    target_link_libraries(${name} PRIVATE rover_options ${ARG_LIBS} GTest::gtest GTest::gmock)
+    target_compile_definitions(${name} PRIVATE
+        ROVER_SOURCE_DIR="${CMAKE_SOURCE_DIR}" ROVER_BINARY_DIR="${CMAKE_BINARY_DIR}")
+    if(NOT ARG_TIMEOUT)
+        set(ARG_TIMEOUT 300)
+    endif()
+    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
+        PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT})
+endfunction()

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace simcore {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+
+/// Rigid placement of a frame B in a frame A: p_A = rotation * p_B + position [m].
+struct Pose {
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+    Vec3 position = Vec3::Zero();
+
+    Vec3 operator*(const Vec3& p_B) const { return rotation * p_B + position; }
+    Pose operator*(const Pose& X_BC) const {
+        return {rotation * X_BC.rotation, rotation * X_BC.position + position};
+    }
+    Pose inverse() const {
+        const Eigen::Quaterniond inverseRotation = rotation.conjugate();
+        return {inverseRotation, -(inverseRotation * position)};
+    }
+};
+
+}  // namespace simcore

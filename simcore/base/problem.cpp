@@ -1,0 +1,44 @@
+#include "simcore/base/problem.h"
+
+#include <algorithm>
+
+namespace simcore {
+
+std::string toString(Severity severity) {
+    switch (severity) {
+        case Severity::Critical:
+            return "critical";
+        case Severity::Warning:
+            return "warning";
+        case Severity::Info:
+            return "info";
+    }
+    return "info";
+}
+
+std::string toString(const Problem& problem) {
+    std::string text = toString(problem.severity) + ": ";
+    if (!problem.element.empty()) {
+        text += problem.element + ": ";
+    }
+    text += problem.reason;
+    if (!problem.remedy.empty()) {
+        text += " " + problem.remedy;
+    }
+    return text;
+}
+
+std::string toString(const Problems& problems) {
+    std::string text;
+    for (const Problem& problem : problems) {
+        text += toString(problem) + "\n";
+    }
+    return text;
+}
+
+bool hasCritical(const Problems& problems) {
+    return std::any_of(problems.begin(), problems.end(),
+                       [](const Problem& p) { return p.severity == Severity::Critical; });
+}
+
+}  // namespace simcore

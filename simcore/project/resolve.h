@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "simcore/base/result.h"
+#include "simcore/mechanism/mechanism.h"
+#include "simcore/project/project.h"
+
+namespace simcore::project {
+
+/// Parameter values after overrides, by name [SI].
+using ParameterValues = std::map<std::string, double>;
+
+/// An override as typed: NAME and VALUE, the value being a number, an expression or "12 cm".
+struct Assignment {
+    std::string parameter;
+    std::string value;
+};
+
+/// Values of all parameters: the file's, then the variant's, then `assignments`.
+///
+/// Problems: unknown name, circular or malformed expression, a value outside the parameter's
+/// range, an assignment to a derived parameter.
+Result<ParameterValues> evaluateParameters(const Rover& rover,
+                                           const std::vector<Override>& variant = {},
+                                           const std::vector<Assignment>& assignments = {});
+
+/// The value of one quantity [SI]; problems name `element`.
+Result<double> evaluate(const Quantity& quantity, const ParameterValues& parameters,
+                        const std::string& element);
+
+/// The mechanism of a rover with the given parameter values. *All* problems found are returned, not
+/// only the first; a mechanism comes with warnings only.
+Result<mechanism::Mechanism> resolve(const Rover& rover, const ParameterValues& parameters);
+
+/// evaluateParameters() and resolve() in one, with the named variant ("" = none).
+Result<mechanism::Mechanism> resolve(const Project& project, const std::string& variant = {},
+                                     const std::vector<Assignment>& assignments = {});
+
+/// Everything wrong with a project: names, references, expressions, ranges, masses, inertias,
+/// joints, wheels, scenarios. Sorted by severity, then in file order.
+Problems validate(const Project& project);
+
+}  // namespace simcore::project

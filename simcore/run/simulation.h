@@ -1,0 +1,115 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simcore/base/result.h"
+#include "simcore/mechanism/mechanism.h"
+#include "simcore/project/resolve.h"
+#include "simcore/run/channels.h"
+#include "simcore/run/snapshot.h"
+#include "simcore/terrain/terrain.h"
+
+/// Driving a rover over terrain: engine, contacts, controller and measures put together.
+namespace simcore::run {
+
+/// What is asked for on top of the scenario. Empty fields keep the scenario's.
+struct RunRequest {
+    std::string scenario;
+    std::optional<project::ControllerKind> controller;
+    std::optional<double> friction;
+    std::optional<double> duration;
+    std::optional<double> step;
+    std::optional<int> seed;
+    std::vector<project::Assignment> assignments;
+};
+
+/// Commands of a person driving.
+struct ManualCommand {
+    double speed = 0.0;      ///< [m/s], + forward
+    double turn = 0.0;       ///< yaw rate [rad/s], + left
+};
+
+/// Numbers of a scenario after evaluation [SI].
+struct ResolvedRun {
+    mechanism::Mechanism mechanism;
+    std::shared_ptr<const terrain::Terrain> terrain;
+    project::ControllerKind controller = project::ControllerKind::Speed;
+    double speed = 0.1, assumedFriction = 0.5, controlPeriod = 0.01;
+    double proportional = 0.0, integral = 0.0, derivative = 0.0;   ///< 0 = derived
+    double friction = 0.7, rollingResistance = 0.0;
+    double step = 0.002, distance = 3.5, duration = 0.0, settle = 0.5, ramp = 0.5;
+    int seed = 1;
+    std::string scenario;
+};
+
+/// Resolves everything a run needs; all problems, none of them left for the engine to abort on.
+Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest& request);
+
+enum class StopReason { Running, Completed, TimeUp, Stuck, NonFinite, Stopped };
+std::string toString(StopReason reason);
+
+struct WheelReport {
+    std::string name;
+    double slipAbs = 0.0, slipSigned = 0.0, slipLateral = 0.0;   ///< [m]
+    double meanNormalForce = 0.0, maxTorque = 0.0;               ///< [N], [N m]
+    double energy = 0.0;                                         ///< drive work, positive part [J]
+    double airTime = 0.0;                                        ///< [s]
+};
+
+/// What a run came to. docs/csv.md and docs/run-report.md define every number.
+struct RunReport {
+    std::string engine;
+    std::string scenario;
+    double step = 0.0;
+    long steps = 0;
+    double simTime = 0.0, wallTime = 0.0, rtf = 0.0;
+    bool completed = false;
+    StopReason stopReason = StopReason::Running;
+    std::string stopDetail;                  ///< e.g. the body that went non-finite
+    double distance = 0.0;
+    double slipAbs = 0.0, slipSigned = 0.0;
+    std::vector<WheelReport> wheels;
+    double energy = 0.0;
+    std::string stateHash;                   ///< 16 hex digits
+    double frictionViolationPercent = 0.0;
+    double loopErrorMax = 0.0;               ///< [m]
+    double penetrationMax = 0.0;             ///< [m]
+};
+
+/// One run, stepped by its owner. Not thread safe: one thread makes, steps and destroys it.
+class Simulation {
+  public:
+    explicit Simulation(ResolvedRun run);
+    ~Simulation();
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    /// Back to the start: the same run again, bit for bit.
+    void reset();
+    /// Advances by one engine step. Does nothing once finished.
+    void step();
+    bool finished() const;
+    void setManualCommand(const ManualCommand& command);
+
+    const ResolvedRun& settings() const;
+    /// The present instant.
+    const Snapshot& snapshot() const;
+    /// The report so far; wallTime counts time spent in step().
+    RunReport report() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Channel values sampled at a fixed period, with frames for playback.
+struct Recording {
+    std::vector<Channel> channels;
+    std::vector<std::vector<double>> rows;             ///< each as long as channels
+    std::vector<std::shared_ptr<const Snapshot>> frames;
+};
+
+}  // namespace simcore::run

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "simcore/base/pose.h"
+#include "simcore/base/result.h"
+#include "simcore/project/resolve.h"
+
+/// The ground: one triangle mesh that statics, engines and the picture share.
+namespace simcore::terrain {
+
+struct TriangleMesh {
+    std::vector<Vec3> vertices;                 ///< world [m]
+    std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from the free side
+};
+
+/// A piece of the ground cut by a wheel's plane, in that plane's coordinates.
+struct SliceSegment {
+    Eigen::Vector2d a;        ///< start [m]
+    Eigen::Vector2d b;        ///< end [m]; the free side is to the left of a -> b
+    Vec3 normal;              ///< unit, of the triangle, world
+};
+
+/// A plane through a wheel: origin at the wheel slice's centre, u forward, v up, in the world.
+struct SlicePlane {
+    Vec3 origin;
+    Vec3 u;
+    Vec3 v;
+};
+
+/// An immutable ground with fast look-up around a wheel.
+class Terrain {
+  public:
+    /// A polyline in x-z (x not decreasing, vertical faces allowed), extruded over y.
+    static Terrain extruded(const std::vector<Eigen::Vector2d>& profile, double yMin, double yMax);
+
+    /// A height field on a regular grid; diagonals mirror about y = 0. heights[ix * ny + iy] [m].
+    static Terrain grid(double x0, double y0, double cell, int nx, int ny,
+                        const std::vector<double>& heights);
+
+    const TriangleMesh& mesh() const { return mesh_; }
+
+    /// Height of the highest ground at (x, y) [m]; NaN outside the mesh.
+    double heightAt(double x, double y) const;
+
+    /// Exact section of the ground with the plane, within `radius` of its origin. Appends to `out`
+    /// (cleared first), no allocation once `out` has grown.
+    void slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const;
+
+    /// Range of x in which the ground is not flat at z = 0 [m]; empty (min > max) when it is flat.
+    std::pair<double, double> obstacleRange() const { return obstacleRange_; }
+
+    /// The polyline when the ground is an extruded profile, else empty.
+    const std::vector<Eigen::Vector2d>& profile() const { return profile_; }
+
+  private:
+    void index();
+
+    TriangleMesh mesh_;
+    std::vector<Vec3> normals_;                 ///< per triangle
+    std::vector<Eigen::Vector2d> profile_;
+    std::pair<double, double> obstacleRange_{1.0, -1.0};
+    // Uniform grid over x-y: the triangles touching each cell, in CSR layout.
+    double cellSize_ = 0.05;
+    double gridX0_ = 0.0, gridY0_ = 0.0;
+    int gridNx_ = 0, gridNy_ = 0;
+    std::vector<int> cellStart_;
+    std::vector<int> cellTriangles_;
+};
+
+/// Makes the terrain a scenario describes. `travel` [m] is how far the rover is to drive; the ground
+/// reaches at least 2 m behind the start and beyond the end.
+Result<Terrain> makeTerrain(const project::Terrain& spec, const project::ParameterValues& parameters,
+                            double travel);
+
+}  // namespace simcore::terrain
