@@ -1,0 +1,369 @@
+#include "simcore/io/project_file.h"
+
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "simcore/io/atomic_file.h"
+#include "simcore/io/json_format.h"
+#include "simcore/project/fields.h"
+#include "simcore/project/names.h"
+
+namespace simcore::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using project::Quantity;
+
+constexpr const char* kFormat = "roverstudio-project";
+constexpr int kVersion = 1;
+
+/// Reads JSON into the value tree; collects every problem instead of stopping at the first.
+class Reader {
+  public:
+    Reader(std::string source, Problems& problems)
+        : source_(std::move(source)), problems_(problems) {}
+
+    template <class T>
+    void read(const Json& json, const std::string& place, T& value);
+
+    void problem(const std::string& place, std::string reason, std::string remedy) {
+        problems_.push_back({Severity::Critical, source_ + ": " + (place.empty() ? "file" : place),
+                             std::move(reason), std::move(remedy)});
+    }
+
+  private:
+    template <class T>
+    class FieldReader;
+
+    void wrongType(const std::string& place, const char* wanted, const Json& json) {
+        problem(place, fmt::format("expected {}, found {}.", wanted, json.type_name()),
+                "Correct the value.");
+    }
+
+    void readQuantity(const Json& json, const std::string& place, Quantity& value) {
+        if (json.is_number()) {
+            value = Quantity(json.get<double>());
+        } else if (json.is_string() && !json.get_ref<const std::string&>().empty()) {
+            value = Quantity::expression(json.get<std::string>());
+        } else {
+            wrongType(place, "a number or an expression in quotes", json);
+        }
+    }
+
+    template <class Enum>
+    void readEnum(const Json& json, const std::string& place, Enum& value) {
+        if (!json.is_string()) {
+            wrongType(place, "a name in quotes", json);
+            return;
+        }
+        if (const auto found = project::fromName<Enum>(json.get<std::string>())) {
+            value = *found;
+        } else {
+            problem(place, fmt::format("'{}' is not known.", json.get<std::string>()),
+                    fmt::format("Use one of: {}.", fmt::join(project::allNames<Enum>(), ", ")));
+        }
+    }
+
+    template <class T, std::size_t N>
+    void readArray(const Json& json, const std::string& place, std::array<T, N>& value) {
+        if (!json.is_array() || json.size() != N) {
+            problem(place, fmt::format("expected a list of {} numbers.", N),
+                    "Give exactly that many, in square brackets.");
+            return;
+        }
+        for (std::size_t i = 0; i < N; ++i) {
+            read(json[i], fmt::format("{}[{}]", place, i), value[i]);
+        }
+    }
+
+    template <class T>
+    void readVector(const Json& json, const std::string& place, std::vector<T>& value) {
+        if (!json.is_array()) {
+            wrongType(place, "a list", json);
+            return;
+        }
+        value.clear();
+        value.resize(json.size());
+        for (std::size_t i = 0; i < json.size(); ++i) {
+            std::string itemPlace = fmt::format("{}[{}]", place, i);
+            if (json[i].is_object() && json[i].contains("name") && json[i]["name"].is_string()) {
+                itemPlace += " (" + json[i]["name"].template get<std::string>() + ")";
+            }
+            read(json[i], itemPlace, value[i]);
+        }
+    }
+
+    std::string source_;
+    Problems& problems_;
+};
+
+template <class T>
+class Reader::FieldReader {
+  public:
+    FieldReader(Reader& reader, const Json& json, const std::string& place, T& value)
+        : reader_(reader), json_(json), place_(place), value_(value) {}
+
+    template <class M>
+    void required(const char* key, M T::*member) {
+        if (!json_.contains(key)) {
+            known_.insert(key);
+            reader_.problem(place_, fmt::format("'{}' is missing.", key), "Add it.");
+            return;
+        }
+        optional(key, member);
+    }
+
+    template <class M>
+    void optional(const char* key, M T::*member) {
+        known_.insert(key);
+        const auto found = json_.find(key);
+        if (found != json_.end()) {
+            reader_.read(*found, place_.empty() ? key : place_ + "." + key, value_.*member);
+        }
+    }
+
+    void reportUnknownKeys() const {
+        for (auto it = json_.begin(); it != json_.end(); ++it) {
+            if (!known_.contains(it.key())) {
+                reader_.problem(place_, fmt::format("'{}' is not a known key.", it.key()),
+                                fmt::format("Known here: {}.", fmt::join(known_, ", ")));
+            }
+        }
+    }
+
+    void know(const char* key) { known_.insert(key); }
+
+  private:
+    Reader& reader_;
+    const Json& json_;
+    const std::string& place_;
+    T& value_;
+    std::set<std::string> known_;
+};
+
+template <class T>
+inline constexpr bool kIsVector = false;
+template <class T>
+inline constexpr bool kIsVector<std::vector<T>> = true;
+template <class T>
+inline constexpr bool kIsArray = false;
+template <class T, std::size_t N>
+inline constexpr bool kIsArray<std::array<T, N>> = true;
+template <class T>
+inline constexpr bool kIsOptional = false;
+template <class T>
+inline constexpr bool kIsOptional<std::optional<T>> = true;
+
+template <class T>
+void Reader::read(const Json& json, const std::string& place, T& value) {
+    if constexpr (std::is_same_v<T, Quantity>) {
+        readQuantity(json, place, value);
+    } else if constexpr (std::is_same_v<T, std::string>) {
+        json.is_string() ? void(value = json.get<std::string>())
+                         : wrongType(place, "text in quotes", json);
+    } else if constexpr (std::is_same_v<T, bool>) {
+        json.is_boolean() ? void(value = json.get<bool>())
+                          : wrongType(place, "true or false", json);
+    } else if constexpr (std::is_same_v<T, int>) {
+        const bool fits = json.is_number_integer() && json.get<double>() >= -2147483648.0 &&
+                          json.get<double>() <= 2147483647.0;
+        fits ? void(value = json.get<int>()) : wrongType(place, "a whole number", json);
+    } else if constexpr (std::is_same_v<T, double>) {
+        json.is_number() ? void(value = json.get<double>()) : wrongType(place, "a number", json);
+    } else if constexpr (std::is_enum_v<T>) {
+        readEnum(json, place, value);
+    } else if constexpr (kIsArray<T>) {
+        readArray(json, place, value);
+    } else if constexpr (kIsVector<T>) {
+        readVector(json, place, value);
+    } else if constexpr (kIsOptional<T>) {
+        read(json, place, value.emplace());
+    } else {
+        if (!json.is_object()) {
+            wrongType(place, "an object in braces", json);
+            return;
+        }
+        FieldReader<T> fields(*this, json, place, value);
+        if constexpr (std::is_same_v<T, project::Project>) {
+            fields.know("format");
+            fields.know("version");
+        }
+        project::describe(fields, static_cast<const T*>(nullptr));
+        fields.reportUnknownKeys();
+    }
+}
+
+/// Writes the value tree to JSON; optional fields at their default are left out.
+template <class T>
+Json toJson(const T& value);
+
+template <class T>
+class FieldWriter {
+  public:
+    explicit FieldWriter(const T& value) : value_(value) {}
+
+    template <class M>
+    void required(const char* key, M T::*member) {
+        json[key] = toJson(value_.*member);
+    }
+
+    template <class M>
+    void optional(const char* key, M T::*member) {
+        static const T defaults{};
+        if (!(value_.*member == defaults.*member)) {
+            required(key, member);
+        }
+    }
+
+    Json json = Json::object();
+
+  private:
+    const T& value_;
+};
+
+template <class T>
+Json toJson(const T& value) {
+    if constexpr (std::is_same_v<T, Quantity>) {
+        return value.isLiteral() ? Json(value.literal()) : Json(value.text());
+    } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+        return Json(value);
+    } else if constexpr (std::is_enum_v<T>) {
+        return Json(project::nameOf(value));
+    } else if constexpr (kIsArray<T> || kIsVector<T>) {
+        Json list = Json::array();
+        for (const auto& item : value) {
+            list.push_back(toJson(item));
+        }
+        return list;
+    } else if constexpr (kIsOptional<T>) {
+        return toJson(value.value());
+    } else {
+        FieldWriter<T> fields(value);
+        project::describe(fields, static_cast<const T*>(nullptr));
+        return fields.json;
+    }
+}
+
+std::string lineAndColumn(std::string_view text, std::size_t byte) {
+    std::size_t line = 1;
+    std::size_t column = 1;
+    for (std::size_t i = 0; i + 1 < byte && i < text.size(); ++i) {
+        if (text[i] == '\n') {
+            ++line;
+            column = 1;
+        } else {
+            ++column;
+        }
+    }
+    return fmt::format("line {}, column {}", line, column);
+}
+
+/// Parses JSON and reports keys given twice: the library would keep the last one silently.
+Json parseJson(std::string_view text, Reader& reader) {
+    std::vector<std::set<std::string>> keys;
+    const auto callback = [&](int /*depth*/, nlohmann::json::parse_event_t event, Json& parsed) {
+        if (event == Json::parse_event_t::object_start) {
+            keys.emplace_back();
+        } else if (event == Json::parse_event_t::object_end) {
+            keys.pop_back();
+        } else if (event == Json::parse_event_t::key &&
+                   !keys.back().insert(parsed.get<std::string>()).second) {
+            reader.problem("", fmt::format("key '{}' is given twice in one object.",
+                                           parsed.get<std::string>()),
+                           "Remove one of them.");
+        }
+        return true;
+    };
+    return Json::parse(text, callback);
+}
+
+}  // namespace
+
+Result<project::Project> parseProject(std::string_view text, const std::string& sourceName) {
+    Problems problems;
+    Reader reader(sourceName, problems);
+    Json json;
+    try {
+        json = parseJson(text, reader);
+    } catch (const Json::parse_error& error) {
+        std::string reason = error.what();
+        reason = reason.substr(reason.find("] ") == std::string::npos ? 0 : reason.find("] ") + 2);
+        return Problem{Severity::Critical,
+                       sourceName + ": " + lineAndColumn(text, error.byte),
+                       "this is not valid JSON (" + reason + ").",
+                       "Correct the text there; a comma or a quote is often missing just before."};
+    } catch (const Json::exception& error) {
+        return Problem{Severity::Critical, sourceName,
+                       std::string("the text cannot be read (") + error.what() + ").",
+                       "Correct the file."};
+    }
+    if (!json.is_object() || !json.contains("format") || json["format"] != kFormat) {
+        return Problem{Severity::Critical, sourceName, "this is not a RoverStudio project.",
+                       fmt::format("A project has \"format\": \"{}\".", kFormat)};
+    }
+    if (!json.contains("version") || !json["version"].is_number_integer() ||
+        json["version"].get<int>() != kVersion) {
+        return Problem{Severity::Critical, sourceName,
+                       fmt::format("file version {} is not one this program reads ({}).",
+                                   json.contains("version") ? json["version"].dump() : "(none)",
+                                   kVersion),
+                       "Open it with the RoverStudio version that wrote it."};
+    }
+    project::Project project;
+    reader.read(json, "", project);
+    if (hasCritical(problems)) {
+        return problems;
+    }
+    return Result<project::Project>(std::move(project), std::move(problems));
+}
+
+Result<project::Project> loadProject(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) {
+        return Problem{Severity::Critical, file.string(), "there is no such file.",
+                       "Check the path."};
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (!stream || !(text << stream.rdbuf())) {
+        return Problem{Severity::Critical, file.string(), "the file cannot be read.",
+                       "Check its permissions and that it is not empty."};
+    }
+    return parseProject(text.str(), file.string());
+}
+
+std::string formatProject(const project::Project& project) {
+    Json json = Json::object();
+    json["format"] = kFormat;
+    json["version"] = kVersion;
+    const Json fields = toJson(project);
+    for (auto it = fields.begin(); it != fields.end(); ++it) {
+        json[it.key()] = *it;
+    }
+    return formatJson(json);
+}
+
+Result<bool> saveProject(const project::Project& project, const std::filesystem::path& file) {
+    return writeFileAtomically(file, formatProject(project));
+}
+
+std::filesystem::path examplesFolder() {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    for (const fs::path& candidate :
+         {program.parent_path() / "../share/roverstudio/projects", fs::path(ROVER_ASSETS_DIR) / "projects"}) {
+        if (fs::is_directory(candidate, error)) {
+            return fs::weakly_canonical(candidate, error);
+        }
+    }
+    return {};
+}
+
+}  // namespace simcore::io

@@ -1,0 +1,97 @@
+#include "simcore/project/names.h"
+
+#include <array>
+#include <utility>
+
+namespace simcore::project {
+namespace {
+
+template <class Enum>
+using Table = std::pair<Enum, const char*>;
+
+constexpr std::array<Table<ShapeKind>, 4> kShapes{{{ShapeKind::Box, "box"},
+                                                   {ShapeKind::Cylinder, "cylinder"},
+                                                   {ShapeKind::Sphere, "sphere"},
+                                                   {ShapeKind::Bar, "bar"}}};
+constexpr std::array<Table<TerrainKind>, 8> kTerrains{
+    {{TerrainKind::Flat, "flat"},
+     {TerrainKind::Ramp, "ramp"},
+     {TerrainKind::Step, "step"},
+     {TerrainKind::Stairs, "stairs"},
+     {TerrainKind::Sinus, "sinus"},
+     {TerrainKind::Circle, "circle"},
+     {TerrainKind::RandomProfile, "random-profile"},
+     {TerrainKind::Particles, "particles"}}};
+constexpr std::array<Table<ControllerKind>, 3> kControllers{
+    {{ControllerKind::Speed, "speed"},
+     {ControllerKind::EqualTorque, "equal-torque"},
+     {ControllerKind::Manual, "manual"}}};
+
+template <class Enum, std::size_t N>
+std::string nameIn(const std::array<Table<Enum>, N>& table, Enum value) {
+    for (const auto& [enumerator, name] : table) {
+        if (enumerator == value) {
+            return name;
+        }
+    }
+    return {};
+}
+
+template <class Enum, std::size_t N>
+std::optional<Enum> findIn(const std::array<Table<Enum>, N>& table, std::string_view name) {
+    for (const auto& [enumerator, text] : table) {
+        if (name == text) {
+            return enumerator;
+        }
+    }
+    return std::nullopt;
+}
+
+template <class Enum, std::size_t N>
+std::vector<std::string> namesIn(const std::array<Table<Enum>, N>& table) {
+    std::vector<std::string> names;
+    for (const auto& entry : table) {
+        names.emplace_back(entry.second);
+    }
+    return names;
+}
+
+}  // namespace
+
+std::string nameOf(ShapeKind kind) { return nameIn(kShapes, kind); }
+
+std::string nameOf(TerrainKind kind) { return nameIn(kTerrains, kind); }
+
+std::string nameOf(ControllerKind kind) { return nameIn(kControllers, kind); }
+
+template <>
+std::optional<ShapeKind> fromName<ShapeKind>(std::string_view name) {
+    return findIn(kShapes, name);
+}
+
+template <>
+std::optional<TerrainKind> fromName<TerrainKind>(std::string_view name) {
+    return findIn(kTerrains, name);
+}
+
+template <>
+std::optional<ControllerKind> fromName<ControllerKind>(std::string_view name) {
+    return findIn(kControllers, name);
+}
+
+template <>
+std::vector<std::string> allNames<ShapeKind>() {
+    return namesIn(kShapes);
+}
+
+template <>
+std::vector<std::string> allNames<TerrainKind>() {
+    return namesIn(kTerrains);
+}
+
+template <>
+std::vector<std::string> allNames<ControllerKind>() {
+    return namesIn(kControllers);
+}
+
+}  // namespace simcore::project
