@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "simcore/base/result.h"
+#include "simcore/run/simulation.h"
+
+/// Recordings as comma-separated values. docs/csv.md defines the columns.
+namespace simcore::io {
+
+/// Where the numbers of a recording come from, for the file beside the table.
+struct RecordingOrigin {
+    std::string projectName;  ///< Rover::name
+    std::string projectFile;  ///< path as the user knows it; may be empty
+    std::string variant;
+    project::ParameterValues parameters;           ///< values the run used [SI]
+    std::vector<project::Assignment> assignments;  ///< overrides on top of the file's values
+};
+
+/// The table: UTF-8, comma, LF, decimal point whatever the locale; one header row, not commented.
+/// Numbers are the shortest that read back exactly; a NaN (a missing value) is an empty cell.
+/// A row whose length is not that of `channels` is a caller's mistake (std::invalid_argument).
+std::string formatCsv(const std::vector<run::Channel>& channels,
+                      const std::vector<std::vector<double>>& rows);
+
+/// The JSON beside the table: `schema`, `program_version`, origin, settings, seed, state hash, the
+/// report and the meaning of every column.
+std::string formatCsvMetadata(const run::Recording& recording, const run::ResolvedRun& settings,
+                              const run::RunReport& report, const RecordingOrigin& origin);
+
+/// Where the metadata of a table goes: "out.csv" -> "out.json".
+std::filesystem::path csvMetadataFile(const std::filesystem::path& csvFile);
+
+/// Writes the table and its metadata, each first to a temporary file and then renamed.
+Result<bool> saveCsv(const run::Recording& recording, const run::ResolvedRun& settings,
+                     const run::RunReport& report, const RecordingOrigin& origin,
+                     const std::filesystem::path& file);
+
+}  // namespace simcore::io

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/session/run_session.h"
+
+class QAction;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace widgets {
+
+/// The actions the bar's buttons stand for. They belong to the window's action registry, which
+/// gives them shortcuts and connects them; the bar keeps their icon, text and enabled state right.
+struct RunActions {
+    QAction* playPause = nullptr;
+    QAction* step = nullptr;
+    QAction* reset = nullptr;
+};
+
+/// What to run and how fast, transport buttons, time, real-time factor and a slider over the
+/// recorded time.
+class RunBar : public QWidget {
+    Q_OBJECT
+  public:
+    RunBar(RunSession* session, const RunActions& actions, QWidget* parent = nullptr);
+
+    /// Fills the scenario list and the scenario's own controller and friction; keeps the choice
+    /// where it still exists.
+    void setProject(const simcore::project::Project& project);
+    /// Scenario, controller and friction as chosen (empty where it is the scenario's own).
+    simcore::run::RunRequest request() const;
+    QString scenario() const;
+    void setScenario(const QString& name);
+    /// Next faster (+1) or slower (-1) entry of the speed list.
+    void changeSpeed(int direction);
+
+  signals:
+    /// The user chose another scenario, controller or friction.
+    void requestChanged();
+
+  protected:
+    void changeEvent(QEvent* event) override;
+
+  private:
+    struct Parts;
+    void buildSettings();
+    void buildTransport(const RunActions& actions);
+    void showScenario();
+    void updateState();
+    void updateTime();
+
+    RunSession* session_;
+    RunActions actions_;
+    simcore::project::Project project_;
+    QComboBox* scenario_ = nullptr;
+    QComboBox* controller_ = nullptr;
+    QDoubleSpinBox* friction_ = nullptr;
+    QComboBox* speed_ = nullptr;
+    QSlider* timeline_ = nullptr;
+    QLabel* time_ = nullptr;
+    QLabel* rate_ = nullptr;
+    QLabel* status_ = nullptr;
+};
+
+}  // namespace widgets
