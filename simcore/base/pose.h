@@ -14,9 +14,11 @@ struct Pose {
     Vec3 position = Vec3::Zero();
 
     Vec3 operator*(const Vec3& p_B) const { return rotation * p_B + position; }
+
     Pose operator*(const Pose& X_BC) const {
         return {rotation * X_BC.rotation, rotation * X_BC.position + position};
     }
+
     Pose inverse() const {
         const Eigen::Quaterniond inverseRotation = rotation.conjugate();
         return {inverseRotation, -(inverseRotation * position)};

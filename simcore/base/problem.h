@@ -11,7 +11,8 @@ enum class Severity { Info, Warning, Critical };
 /// One thing wrong with what the user gave us: where it is, why it is wrong and what to do.
 struct Problem {
     Severity severity = Severity::Critical;
-    /// What it concerns, as the user names it: "joint fork_upper", "parameter wheel_radius", a file.
+    /// What it concerns, as the user names it: "joint fork_upper", "parameter wheel_radius", a
+    /// file.
     std::string element;
     /// Why it is a problem, one sentence.
     std::string reason;

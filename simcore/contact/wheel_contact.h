@@ -13,14 +13,14 @@ namespace simcore::contact {
 struct Contact {
     int wheel = -1;
     int slice = 0;
-    Vec3 point = Vec3::Zero();       ///< on the ground [m], world
-    Vec3 normal = Vec3::UnitZ();     ///< unit, ground to wheel, world
-    Vec3 forward = Vec3::UnitX();    ///< unit, axle x normal: the rolling direction, world
-    double depth = 0.0;              ///< penetration [m], > 0 inside
+    Vec3 point = Vec3::Zero();     ///< on the ground [m], world
+    Vec3 normal = Vec3::UnitZ();   ///< unit, ground to wheel, world
+    Vec3 forward = Vec3::UnitX();  ///< unit, axle x normal: the rolling direction, world
+    double depth = 0.0;            ///< penetration [m], > 0 inside
 };
 
-/// Finds the contacts of every wheel. Each wheel is cut into `slices` discs; each disc is intersected
-/// exactly with the terrain. A wheel at floor and wall touches twice per slice.
+/// Finds the contacts of every wheel. Each wheel is cut into `slices` discs; each disc is
+/// intersected exactly with the terrain. A wheel at floor and wall touches twice per slice.
 class WheelContactFinder {
   public:
     /// @param margin  contacts are reported from this far before touching [m]

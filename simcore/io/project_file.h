@@ -22,7 +22,8 @@ std::string formatProject(const project::Project& project);
 /// Writes to a temporary file, flushes, renames: the old file is whole until the new one is.
 Result<bool> saveProject(const project::Project& project, const std::filesystem::path& file);
 
-/// Folder of the shipped projects (beside the program, or the source tree's assets when built there).
+/// Folder of the shipped projects (beside the program, or the source tree's assets when built
+/// there).
 std::filesystem::path examplesFolder();
 
 }  // namespace simcore::io

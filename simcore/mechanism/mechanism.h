@@ -30,11 +30,11 @@ struct Shape {
 };
 
 struct Body {
-    std::string name;                 ///< of the part that came first in the file
-    std::vector<std::string> parts;   ///< names of all parts merged into it
-    double mass = 0.0;                ///< [kg]
-    Vec3 com = Vec3::Zero();          ///< [m]
-    Mat3 inertia = Mat3::Zero();      ///< about com, rover axes [kg m^2]
+    std::string name;                ///< of the part that came first in the file
+    std::vector<std::string> parts;  ///< names of all parts merged into it
+    double mass = 0.0;               ///< [kg]
+    Vec3 com = Vec3::Zero();         ///< [m]
+    Mat3 inertia = Mat3::Zero();     ///< about com, rover axes [kg m^2]
     std::vector<Shape> shapes;
 };
 
@@ -42,47 +42,48 @@ enum class FreedomKind { Turn, Slide };
 
 struct Freedom {
     FreedomKind kind = FreedomKind::Turn;
-    Vec3 direction = Vec3::UnitY();   ///< unit, rover axes at the drawn pose, fixed to the first body
+    Vec3 direction =
+        Vec3::UnitY();  ///< unit, rover axes at the drawn pose, fixed to the first body
 };
 
 struct Joint {
     std::string name;
-    int first = -1;                   ///< body index
-    int second = -1;                  ///< body index
+    int first = -1;   ///< body index
+    int second = -1;  ///< body index
     Vec3 point = Vec3::Zero();
-    Vec3 axis = Vec3::UnitY();        ///< unit pin axis
+    Vec3 axis = Vec3::UnitY();  ///< unit pin axis
     std::vector<Freedom> built;
     std::vector<Freedom> relaxed;
     std::optional<std::pair<double, double>> stops;  ///< [rad] about axis, drawn pose = 0
-    double damping = 0.0;             ///< [N m s/rad]
+    double damping = 0.0;                            ///< [N m s/rad]
 };
 
 struct Wheel {
     std::string name;
     int body = -1;
-    int axle = -1;                    ///< joint index
-    int carrier = -1;                 ///< body that holds the axle
+    int axle = -1;     ///< joint index
+    int carrier = -1;  ///< body that holds the axle
     Vec3 center = Vec3::Zero();
     /// Unit, points to the rover's left (y > 0): a positive turn about it rolls forward.
     Vec3 axis = Vec3::UnitY();
     double radius = 0.0;
     double width = 0.0;
     int grousers = 0;
-    double torqueLimit = 0.0;         ///< [N m]
-    double speedLimit = 0.0;          ///< [rad/s]
-    double rotorInertia = 0.0;        ///< reflected to the axle [kg m^2]
+    double torqueLimit = 0.0;   ///< [N m]
+    double speedLimit = 0.0;    ///< [rad/s]
+    double rotorInertia = 0.0;  ///< reflected to the axle [kg m^2]
     bool relaxedLateral = false;
 };
 
 struct Spring {
     std::string name;
-    int joint = -1;                   ///< >= 0: torsion spring about that joint's axis
+    int joint = -1;  ///< >= 0: torsion spring about that joint's axis
     int first = -1;
     int second = -1;
     Vec3 firstPoint = Vec3::Zero();
     Vec3 secondPoint = Vec3::Zero();
     double stiffness = 0.0;
-    double preload = 0.0;             ///< positive pushes apart, or turns the second body forward
+    double preload = 0.0;  ///< positive pushes apart, or turns the second body forward
     double damping = 0.0;
 };
 
@@ -90,17 +91,17 @@ struct Gear {
     std::string name;
     int firstJoint = -1;
     int secondJoint = -1;
-    double ratio = -1.0;              ///< turn(second) = ratio * turn(first)
+    double ratio = -1.0;  ///< turn(second) = ratio * turn(first)
 };
 
 struct Mechanism {
     std::string name;
     std::vector<Body> bodies;
     std::vector<Joint> joints;
-    std::vector<Wheel> wheels;        ///< file order; a mirrored wheel's left side comes first
+    std::vector<Wheel> wheels;  ///< file order; a mirrored wheel's left side comes first
     std::vector<Spring> springs;
     std::vector<Gear> gears;
-    int chassis = 0;                  ///< index of the body of the file's first body
+    int chassis = 0;  ///< index of the body of the file's first body
 
     /// Total mass [kg].
     double mass() const;
@@ -112,9 +113,9 @@ struct Mechanism {
     /// translations and rotations comparable. 1 m when there are fewer than two wheels.
     double wheelbase() const;
     /// Index of the named body (by any of its part names), joint or wheel; -1 when there is none.
-    int findBody(const std::string& name) const;
-    int findJoint(const std::string& name) const;
-    int findWheel(const std::string& name) const;
+    int findBody(const std::string& partName) const;
+    int findJoint(const std::string& jointName) const;
+    int findWheel(const std::string& wheelName) const;
 };
 
 }  // namespace simcore::mechanism

@@ -14,19 +14,19 @@ enum class Model { Built, Relaxed };
 
 /// One constraint equation, named so that a person can find it.
 struct ConstraintName {
-    std::string element;     ///< joint, gear, or "contact <wheel>"
-    std::string kind;        ///< "slide" (a translation is held), "turn" (a rotation is held), "gear"
-    Vec3 direction = Vec3::Zero();   ///< held direction, unit, rover axes
-    int joint = -1;          ///< mechanism joint index, -1 for contacts and gears
-    int wheel = -1;          ///< wheel index for contacts, else -1
+    std::string element;  ///< joint, gear, or "contact <wheel>"
+    std::string kind;     ///< "slide" (a translation is held), "turn" (a rotation is held), "gear"
+    Vec3 direction = Vec3::Zero();  ///< held direction, unit, rover axes
+    int joint = -1;                 ///< mechanism joint index, -1 for contacts and gears
+    int wheel = -1;                 ///< wheel index for contacts, else -1
     /// Share in the self-stress states, 0 (determined) to 1 (wholly redundant).
     double share = 0.0;
 };
 
 /// A free motion that moves neither chassis nor wheels.
 struct IdleFreedom {
-    std::string body;        ///< the body that moves most
-    Vec3 turn = Vec3::Zero();    ///< its angular velocity direction, rover axes
+    std::string body;          ///< the body that moves most
+    Vec3 turn = Vec3::Zero();  ///< its angular velocity direction, rover axes
     Vec3 slide = Vec3::Zero();
 };
 
@@ -35,7 +35,7 @@ struct IdleFreedom {
 struct Report {
     Model model = Model::Built;
     int bodies = 0;
-    int joints = 0;                      ///< contacts and gears included
+    int joints = 0;                        ///< contacts and gears included
     std::array<int, 5> jointsByFreedom{};  ///< f1..f5 of paper eq. 1
     int gruebler = 0;
     int columns = 0;
@@ -43,10 +43,11 @@ struct Report {
     int rank = 0;
     int mobility = 0;
     int redundant = 0;
-    std::vector<ConstraintName> removable;      ///< any one of them may go without new motion
-    std::vector<ConstraintName> redundantSet;   ///< one set of exactly `redundant`, documented priority
+    std::vector<ConstraintName> removable;  ///< any one of them may go without new motion
+    std::vector<ConstraintName>
+        redundantSet;  ///< one set of exactly `redundant`, documented priority
     std::vector<IdleFreedom> idle;
-    double rankGap = 0.0;                ///< last kept / first dropped pivot
+    double rankGap = 0.0;  ///< last kept / first dropped pivot
 };
 
 /// Analyses the mechanism standing on flat ground at its drawn pose, wheel contacts counted as

@@ -7,11 +7,12 @@
 #include "simcore/project/quantity.h"
 
 /// The document: a plain, comparable, copyable value tree. It holds only what the user entered;
-/// everything derived (numbers of expressions, mirrored elements, mass, mobility) is computed from it.
+/// everything derived (numbers of expressions, mirrored elements, mass, mobility) is computed from
+/// it.
 ///
 /// Points are in the rover frame at the drawn pose: x forward, y left, z up, origin on the ground
-/// [m]. `mirror` makes a second element with y -> -y; its name is the name with `{side}` replaced by
-/// left/right, or with _left/_right appended. References resolve to their own side.
+/// [m]. `mirror` makes a second element with y -> -y; its name is the name with `{side}` replaced
+/// by left/right, or with _left/_right appended. References resolve to their own side.
 /// docs/project-file.md is the reference for the file format.
 namespace simcore::project {
 
@@ -19,12 +20,12 @@ namespace simcore::project {
 /// set from outside.
 struct Parameter {
     std::string name;
-    Quantity value;                     ///< SI, or an expression of other parameters
-    std::string unit;                   ///< display unit only, e.g. "mm"; empty = dimensionless
-    std::optional<double> minimum;      ///< allowed range [SI]
-    std::optional<double> maximum;      ///< allowed range [SI]
-    std::string meaning;                ///< one phrase for the editor's tooltip
-    std::string source;                 ///< where the number is from, or "assumed"
+    Quantity value;                 ///< SI, or an expression of other parameters
+    std::string unit;               ///< display unit only, e.g. "mm"; empty = dimensionless
+    std::optional<double> minimum;  ///< allowed range [SI]
+    std::optional<double> maximum;  ///< allowed range [SI]
+    std::string meaning;            ///< one phrase for the editor's tooltip
+    std::string source;             ///< where the number is from, or "assumed"
     bool operator==(const Parameter&) const = default;
 };
 
@@ -33,23 +34,23 @@ enum class ShapeKind { Box, Cylinder, Sphere, Bar };
 /// A drawn primitive, fixed to its body. Shapes carry no mass.
 struct Shape {
     ShapeKind kind = ShapeKind::Box;
-    Quantity3 center{};                 ///< Box, Sphere [m]
-    Quantity3 size{};                   ///< Box: edge lengths along x, y, z [m]
-    Quantity3 from{};                   ///< Cylinder, Bar: one end of the axis [m]
-    Quantity3 to{};                     ///< Cylinder, Bar: other end of the axis [m]
-    Quantity radius;                    ///< Cylinder, Sphere [m]
-    Quantity width;                     ///< Bar: section across, horizontal [m]
-    Quantity height;                    ///< Bar: section across, vertical [m]
-    Quantity pitch;                     ///< Box: rotation about y through its centre [rad]
-    std::string color;                  ///< "#rrggbb", or a palette name (docs/project-file.md)
+    Quantity3 center{};  ///< Box, Sphere [m]
+    Quantity3 size{};    ///< Box: edge lengths along x, y, z [m]
+    Quantity3 from{};    ///< Cylinder, Bar: one end of the axis [m]
+    Quantity3 to{};      ///< Cylinder, Bar: other end of the axis [m]
+    Quantity radius;     ///< Cylinder, Sphere [m]
+    Quantity width;      ///< Bar: section across, horizontal [m]
+    Quantity height;     ///< Bar: section across, vertical [m]
+    Quantity pitch;      ///< Box: rotation about y through its centre [rad]
+    std::string color;   ///< "#rrggbb", or a palette name (docs/project-file.md)
     bool operator==(const Shape&) const = default;
 };
 
 struct Body {
     std::string name;
     bool mirror = false;
-    Quantity mass;                                   ///< [kg]
-    Quantity3 com{};                                 ///< centre of mass [m]
+    Quantity mass;    ///< [kg]
+    Quantity3 com{};  ///< centre of mass [m]
     /// Ixx Iyy Izz Ixy Ixz Iyz about the centre of mass, rover axes [kg m^2]; products of inertia
     /// with the sign of the matrix entry. Absent: that of the solid shapes' bounding box.
     std::optional<std::array<Quantity, 6>> inertia;
@@ -65,36 +66,36 @@ using FreedomText = std::string;
 struct Joint {
     std::string name;
     bool mirror = false;
-    std::string first;                               ///< body
-    std::string second;                              ///< body
-    Quantity3 point{};                               ///< [m]
-    Quantity3 axis{0.0, 1.0, 0.0};                   ///< pin axis; any length
-    std::vector<FreedomText> free{"turn axis"};      ///< as built
-    std::vector<FreedomText> relaxed;                ///< relaxed model; empty = as built
-    bool locked = false;                             ///< locked joints weld their bodies
-    std::optional<std::array<Quantity, 2>> stops;    ///< turn about the axis [rad], drawn pose = 0
-    Quantity damping;                                ///< about the axis [N m s/rad]
+    std::string first;                             ///< body
+    std::string second;                            ///< body
+    Quantity3 point{};                             ///< [m]
+    Quantity3 axis{0.0, 1.0, 0.0};                 ///< pin axis; any length
+    std::vector<FreedomText> free{"turn axis"};    ///< as built
+    std::vector<FreedomText> relaxed;              ///< relaxed model; empty = as built
+    bool locked = false;                           ///< locked joints weld their bodies
+    std::optional<std::array<Quantity, 2>> stops;  ///< turn about the axis [rad], drawn pose = 0
+    Quantity damping;                              ///< about the axis [N m s/rad]
     bool operator==(const Joint&) const = default;
 };
 
 struct Motor {
-    Quantity torqueLimit{2.0};                       ///< [N m]
-    Quantity speedLimit{4.0};                        ///< [rad/s]
-    Quantity rotorInertia{0.0};                      ///< reflected to the wheel [kg m^2]
+    Quantity torqueLimit{2.0};   ///< [N m]
+    Quantity speedLimit{4.0};    ///< [rad/s]
+    Quantity rotorInertia{0.0};  ///< reflected to the wheel [kg m^2]
     bool operator==(const Motor&) const = default;
 };
 
 struct Wheel {
     std::string name;
     bool mirror = false;
-    std::string body;                                ///< the wheel's own body
-    std::string axle;                                ///< the pin joint it turns on
-    Quantity radius;                                 ///< [m]
-    Quantity width;                                  ///< [m]
-    int grousers = 18;                               ///< drawn only
+    std::string body;   ///< the wheel's own body
+    std::string axle;   ///< the pin joint it turns on
+    Quantity radius;    ///< [m]
+    Quantity width;     ///< [m]
+    int grousers = 18;  ///< drawn only
     Motor motor;
-    bool relaxedLateral = false;                     ///< relaxed model: lateral slide freed
-    std::string steering;                            ///< optional steering joint
+    bool relaxedLateral = false;  ///< relaxed model: lateral slide freed
+    std::string steering;         ///< optional steering joint
     bool operator==(const Wheel&) const = default;
 };
 
@@ -104,13 +105,13 @@ struct Spring {
     std::string name;
     bool mirror = false;
     std::string joint;
-    std::string first;                               ///< body (linear)
-    std::string second;                              ///< body (linear)
-    Quantity3 firstPoint{};                          ///< [m]
-    Quantity3 secondPoint{};                         ///< [m]
-    Quantity stiffness;                              ///< [N/m] or [N m/rad]
-    Quantity preload;                                ///< force or torque at the drawn pose [N], [N m]
-    Quantity damping;                                ///< [N s/m] or [N m s/rad]
+    std::string first;        ///< body (linear)
+    std::string second;       ///< body (linear)
+    Quantity3 firstPoint{};   ///< [m]
+    Quantity3 secondPoint{};  ///< [m]
+    Quantity stiffness;       ///< [N/m] or [N m/rad]
+    Quantity preload;         ///< force or torque at the drawn pose [N], [N m]
+    Quantity damping;         ///< [N s/m] or [N m s/rad]
     bool operator==(const Spring&) const = default;
 };
 
@@ -129,8 +130,8 @@ struct Payload {
     std::string name;
     bool mirror = false;
     std::string body;
-    Quantity mass;                                   ///< [kg]
-    Quantity3 position{};                            ///< [m]
+    Quantity mass;         ///< [kg]
+    Quantity3 position{};  ///< [m]
     bool operator==(const Payload&) const = default;
 };
 
@@ -166,19 +167,21 @@ enum class TerrainKind { Flat, Ramp, Step, Stairs, Sinus, Circle, RandomProfile,
 /// written. Lengths may be expressions of rover parameters. docs/terrain.md defines every kind.
 struct Terrain {
     TerrainKind kind = TerrainKind::Flat;
-    Quantity start{1.0};          ///< x of the first feature [m]
-    Quantity height;              ///< Step, Stairs (riser), Sinus (peak to peak), RandomProfile (largest)
-    Quantity length;              ///< Step: top; Stairs: tread; Sinus: wavelength; Ramp: run; Random*: extent [m]
-    Quantity slope;               ///< Ramp [rad]
-    Quantity radius;              ///< Circle, Particles (grain) [m]
-    int count = 1;                ///< Stairs: steps; Sinus: waves; Circle: bumps; Random: features; Particles: grains
-    int seed = 1;                 ///< RandomProfile, Particles
+    Quantity start{1.0};  ///< x of the first feature [m]
+    Quantity height;      ///< Step, Stairs (riser), Sinus (peak to peak), RandomProfile (largest)
+    Quantity
+        length;  ///< Step: top; Stairs: tread; Sinus: wavelength; Ramp: run; Random*: extent [m]
+    Quantity slope;   ///< Ramp [rad]
+    Quantity radius;  ///< Circle, Particles (grain) [m]
+    int count =
+        1;  ///< Stairs: steps; Sinus: waves; Circle: bumps; Random: features; Particles: grains
+    int seed = 1;  ///< RandomProfile, Particles
     bool operator==(const Terrain&) const = default;
 };
 
 struct Soil {
-    Quantity friction{0.7};              ///< Coulomb coefficient wheel-ground [-]
-    Quantity rollingResistance{0.0};     ///< moment = c N R [-]
+    Quantity friction{0.7};           ///< Coulomb coefficient wheel-ground [-]
+    Quantity rollingResistance{0.0};  ///< moment = c N R [-]
     bool operator==(const Soil&) const = default;
 };
 
@@ -186,21 +189,21 @@ enum class ControllerKind { Speed, EqualTorque, Manual };
 
 struct Controller {
     ControllerKind kind = ControllerKind::Speed;
-    Quantity speed{0.1};                 ///< rover speed along the chassis [m/s]
-    Quantity assumedFriction{0.5};       ///< traction cap |tau| <= assumed_mu N R [-]; 0 = no cap
-    Quantity period{0.01};               ///< [s]
-    Quantity proportional;               ///< Speed: per wheel [N m s/rad]; EqualTorque: [N m s/m]; 0 = derived
-    Quantity integral;                   ///< 0 = derived from the rover (docs/controllers.md)
+    Quantity speed{0.1};            ///< rover speed along the chassis [m/s]
+    Quantity assumedFriction{0.5};  ///< traction cap |tau| <= assumed_mu N R [-]; 0 = no cap
+    Quantity period{0.01};          ///< [s]
+    Quantity proportional;  ///< Speed: per wheel [N m s/rad]; EqualTorque: [N m s/m]; 0 = derived
+    Quantity integral;      ///< 0 = derived from the rover (docs/controllers.md)
     Quantity derivative;
     bool operator==(const Controller&) const = default;
 };
 
 struct RunSettings {
-    Quantity step{0.002};                ///< engine step [s]
-    Quantity distance{3.5};              ///< chassis travel that completes the run [m]
-    Quantity duration{0.0};              ///< simulated time that ends it [s]; 0 = 2 + 1.6 distance/speed
-    Quantity settle{0.5};                ///< at rest first [s]
-    Quantity ramp{0.5};                  ///< then the command rises [s]
+    Quantity step{0.002};    ///< engine step [s]
+    Quantity distance{3.5};  ///< chassis travel that completes the run [m]
+    Quantity duration{0.0};  ///< simulated time that ends it [s]; 0 = 2 + 1.6 distance/speed
+    Quantity settle{0.5};    ///< at rest first [s]
+    Quantity ramp{0.5};      ///< then the command rises [s]
     int seed = 1;
     bool operator==(const RunSettings&) const = default;
 };

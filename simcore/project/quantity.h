@@ -11,7 +11,9 @@ namespace simcore::project {
 class Quantity {
   public:
     Quantity() = default;
+
     Quantity(double value) : value_(value) {}  // NOLINT(google-explicit-constructor)
+
     static Quantity expression(std::string text) {
         Quantity quantity;
         quantity.text_ = std::move(text);
@@ -19,8 +21,10 @@ class Quantity {
     }
 
     bool isLiteral() const { return text_.empty(); }
+
     /// The literal [SI]; 0 for an expression, which only an Evaluator can value.
     double literal() const { return value_; }
+
     /// The expression as written; empty for a literal.
     const std::string& text() const { return text_; }
 

@@ -10,11 +10,11 @@ namespace simcore::run {
 
 /// One recorded number: what CSV columns, plots and tables share.
 struct Channel {
-    std::string quantity;   ///< "slip_abs", "torque_applied", ...
-    std::string object;     ///< wheel name, "chassis", or empty for time
-    std::string label;      ///< for people: "Slip (absolute)"
-    std::string unit;       ///< ASCII: "m", "N*m", "rad/s", "-"
-    std::string meaning;    ///< one sentence
+    std::string quantity;  ///< "slip_abs", "torque_applied", ...
+    std::string object;    ///< wheel name, "chassis", or empty for time
+    std::string label;     ///< for people: "Slip (absolute)"
+    std::string unit;      ///< ASCII: "m", "N*m", "rad/s", "-"
+    std::string meaning;   ///< one sentence
     /// CSV column head: `quantity_object [unit]`, or `time [s]`.
     std::string column() const;
 };

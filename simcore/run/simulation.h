@@ -28,8 +28,8 @@ struct RunRequest {
 
 /// Commands of a person driving.
 struct ManualCommand {
-    double speed = 0.0;      ///< [m/s], + forward
-    double turn = 0.0;       ///< yaw rate [rad/s], + left
+    double speed = 0.0;  ///< [m/s], + forward
+    double turn = 0.0;   ///< yaw rate [rad/s], + left
 };
 
 /// Numbers of a scenario after evaluation [SI].
@@ -38,7 +38,7 @@ struct ResolvedRun {
     std::shared_ptr<const terrain::Terrain> terrain;
     project::ControllerKind controller = project::ControllerKind::Speed;
     double speed = 0.1, assumedFriction = 0.5, controlPeriod = 0.01;
-    double proportional = 0.0, integral = 0.0, derivative = 0.0;   ///< 0 = derived
+    double proportional = 0.0, integral = 0.0, derivative = 0.0;  ///< 0 = derived
     double friction = 0.7, rollingResistance = 0.0;
     double step = 0.002, distance = 3.5, duration = 0.0, settle = 0.5, ramp = 0.5;
     int seed = 1;
@@ -53,10 +53,10 @@ std::string toString(StopReason reason);
 
 struct WheelReport {
     std::string name;
-    double slipAbs = 0.0, slipSigned = 0.0, slipLateral = 0.0;   ///< [m]
-    double meanNormalForce = 0.0, maxTorque = 0.0;               ///< [N], [N m]
-    double energy = 0.0;                                         ///< drive work, positive part [J]
-    double airTime = 0.0;                                        ///< [s]
+    double slipAbs = 0.0, slipSigned = 0.0, slipLateral = 0.0;  ///< [m]
+    double meanNormalForce = 0.0, maxTorque = 0.0;              ///< [N], [N m]
+    double energy = 0.0;                                        ///< drive work, positive part [J]
+    double airTime = 0.0;                                       ///< [s]
 };
 
 /// What a run came to. docs/csv.md and docs/run-report.md define every number.
@@ -68,15 +68,15 @@ struct RunReport {
     double simTime = 0.0, wallTime = 0.0, rtf = 0.0;
     bool completed = false;
     StopReason stopReason = StopReason::Running;
-    std::string stopDetail;                  ///< e.g. the body that went non-finite
+    std::string stopDetail;  ///< e.g. the body that went non-finite
     double distance = 0.0;
     double slipAbs = 0.0, slipSigned = 0.0;
     std::vector<WheelReport> wheels;
     double energy = 0.0;
-    std::string stateHash;                   ///< 16 hex digits
+    std::string stateHash;  ///< 16 hex digits
     double frictionViolationPercent = 0.0;
-    double loopErrorMax = 0.0;               ///< [m]
-    double penetrationMax = 0.0;             ///< [m]
+    double loopErrorMax = 0.0;    ///< [m]
+    double penetrationMax = 0.0;  ///< [m]
 };
 
 /// One run, stepped by its owner. Not thread safe: one thread makes, steps and destroys it.
@@ -108,7 +108,7 @@ class Simulation {
 /// Channel values sampled at a fixed period, with frames for playback.
 struct Recording {
     std::vector<Channel> channels;
-    std::vector<std::vector<double>> rows;             ///< each as long as channels
+    std::vector<std::vector<double>> rows;  ///< each as long as channels
     std::vector<std::shared_ptr<const Snapshot>> frames;
 };
 

@@ -18,9 +18,9 @@ struct TriangleMesh {
 
 /// A piece of the ground cut by a wheel's plane, in that plane's coordinates.
 struct SliceSegment {
-    Eigen::Vector2d a;        ///< start [m]
-    Eigen::Vector2d b;        ///< end [m]; the free side is to the left of a -> b
-    Vec3 normal;              ///< unit, of the triangle, world
+    Eigen::Vector2d a;  ///< start [m]
+    Eigen::Vector2d b;  ///< end [m]; the free side is to the left of a -> b
+    Vec3 normal;        ///< unit, of the triangle, world
 };
 
 /// A plane through a wheel: origin at the wheel slice's centre, u forward, v up, in the world.
@@ -59,7 +59,7 @@ class Terrain {
     void index();
 
     TriangleMesh mesh_;
-    std::vector<Vec3> normals_;                 ///< per triangle
+    std::vector<Vec3> normals_;  ///< per triangle
     std::vector<Eigen::Vector2d> profile_;
     std::pair<double, double> obstacleRange_{1.0, -1.0};
     // Uniform grid over x-y: the triangles touching each cell, in CSR layout.
@@ -70,9 +70,9 @@ class Terrain {
     std::vector<int> cellTriangles_;
 };
 
-/// Makes the terrain a scenario describes. `travel` [m] is how far the rover is to drive; the ground
-/// reaches at least 2 m behind the start and beyond the end.
-Result<Terrain> makeTerrain(const project::Terrain& spec, const project::ParameterValues& parameters,
-                            double travel);
+/// Makes the terrain a scenario describes. `travel` [m] is how far the rover is to drive; the
+/// ground reaches at least 2 m behind the start and beyond the end.
+Result<Terrain> makeTerrain(const project::Terrain& spec,
+                            const project::ParameterValues& parameters, double travel);
 
 }  // namespace simcore::terrain

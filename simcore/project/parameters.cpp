@@ -1,0 +1,198 @@
+// Parameter values: overrides, dependency order, ranges.
+#include <charconv>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "simcore/project/expression.h"
+#include "simcore/project/resolve.h"
+#include "simcore/project/units.h"
+
+namespace simcore::project {
+namespace {
+
+Problem parameterProblem(const std::string& name, std::string reason, std::string remedy) {
+    return {Severity::Critical, "parameter " + name, std::move(reason), std::move(remedy)};
+}
+
+/// Evaluates parameters depth first, so that each is valued after those it uses.
+class ParameterSolver {
+  public:
+    ParameterSolver(const Rover& rover, std::map<std::string, Quantity> overrides)
+        : overrides_(std::move(overrides)) {
+        for (const Parameter& parameter : rover.parameters) {
+            if (!isParameterName(parameter.name)) {
+                problems_.push_back(parameterProblem(
+                    parameter.name, "this name cannot be used in expressions.",
+                    "Use letters, digits and underscores, not starting with a digit and not the "
+                    "name of a function."));
+            } else if (!byName_.emplace(parameter.name, &parameter).second) {
+                problems_.push_back(parameterProblem(parameter.name, "the name is used twice.",
+                                                     "Rename one of them."));
+            }
+        }
+    }
+
+    Result<ParameterValues> solve(const Rover& rover) {
+        for (const Parameter& parameter : rover.parameters) {
+            if (byName_.contains(parameter.name)) {
+                visit(parameter);
+            }
+        }
+        if (hasCritical(problems_)) {
+            return problems_;
+        }
+        return Result<ParameterValues>(values_, problems_);
+    }
+
+    Problems& problems() { return problems_; }
+
+    const Parameter* find(const std::string& name) const {
+        const auto found = byName_.find(name);
+        return found == byName_.end() ? nullptr : found->second;
+    }
+
+  private:
+    enum class Mark { Open, Done };
+
+    void visit(const Parameter& parameter) {
+        const auto [mark, isNew] = marks_.emplace(parameter.name, Mark::Open);
+        if (!isNew) {
+            if (mark->second == Mark::Open) {
+                problems_.push_back(parameterProblem(parameter.name, "its value depends on itself.",
+                                                     "Break the circle: give one a number."));
+            }
+            return;
+        }
+        const auto found = overrides_.find(parameter.name);
+        const Quantity& quantity = found == overrides_.end() ? parameter.value : found->second;
+        value(parameter, quantity, found != overrides_.end());
+        marks_[parameter.name] = Mark::Done;
+    }
+
+    void value(const Parameter& parameter, const Quantity& quantity, bool overridden) {
+        double number = quantity.literal();
+        if (!quantity.isLiteral()) {
+            for (const std::string& name : namesIn(quantity.text())) {
+                if (const Parameter* used = find(name)) {
+                    visit(*used);
+                }
+            }
+            const auto result = evaluator_.evaluate(quantity.text());
+            if (const auto* reason = std::get_if<std::string>(&result)) {
+                problems_.push_back(parameterProblem(
+                    parameter.name, fmt::format("'{}' has no value: {}.", quantity.text(), *reason),
+                    "Use numbers, other parameters and a unit at the end."));
+                return;
+            }
+            number = std::get<double>(result);
+            checkDimension(parameter, quantity.text());
+        }
+        checkRange(parameter, number, overridden);
+        evaluator_.define(parameter.name, number);
+        values_[parameter.name] = number;
+    }
+
+    void checkDimension(const Parameter& parameter, const std::string& text) {
+        const auto written = splitUnit(text);
+        const Unit* display = findUnit(parameter.unit);
+        if (written && display &&
+            std::string_view(written->unit->dimension) != display->dimension) {
+            problems_.push_back(
+                parameterProblem(parameter.name,
+                                 fmt::format("'{}' is a {}, but this is a {}.", text,
+                                             written->unit->dimension, display->dimension),
+                                 fmt::format("Write it in {} or another unit of {}.",
+                                             display->symbol, display->dimension)));
+        }
+    }
+
+    void checkRange(const Parameter& parameter, double number, bool overridden) {
+        const bool low = parameter.minimum && number < *parameter.minimum;
+        const bool high = parameter.maximum && number > *parameter.maximum;
+        if (!low && !high) {
+            return;
+        }
+        const std::string unit = parameter.unit.empty() ? "" : " " + parameter.unit;
+        const double limit = low ? *parameter.minimum : *parameter.maximum;
+        problems_.push_back(parameterProblem(
+            parameter.name,
+            fmt::format("{}{} is {} its {} of {}{}.", formatIn(number, parameter.unit), unit,
+                        low ? "below" : "above", low ? "minimum" : "maximum",
+                        formatIn(limit, parameter.unit), unit),
+            overridden ? "Set it within its range."
+                       : "Change the value, or the range if it is too narrow."));
+    }
+
+    std::map<std::string, Quantity> overrides_;
+    std::map<std::string, const Parameter*> byName_;
+    std::map<std::string, Mark> marks_;
+    ParameterValues values_;
+    ExpressionEvaluator evaluator_;
+    Problems problems_;
+};
+
+bool isDerived(const Parameter& parameter) {
+    return !parameter.value.isLiteral() && !namesIn(parameter.value.text()).empty();
+}
+
+Quantity quantityFrom(const std::string& text) {
+    double number = 0.0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc() && stop == end && std::isfinite(number)) {
+        return Quantity(number);
+    }
+    // Not a plain number: an expression, judged when it is valued.
+    return Quantity::expression(text.empty() ? " " : text);
+}
+
+}  // namespace
+
+Result<ParameterValues> evaluateParameters(const Rover& rover, const std::vector<Override>& variant,
+                                           const std::vector<Assignment>& assignments) {
+    std::vector<Override> all = variant;
+    for (const Assignment& assignment : assignments) {
+        all.push_back({assignment.parameter, quantityFrom(assignment.value)});
+    }
+    std::map<std::string, Quantity> overrides;
+    for (const Override& change : all) {
+        overrides[change.parameter] = change.value;
+    }
+    ParameterSolver solver(rover, overrides);
+    for (const Override& change : all) {
+        const Parameter* parameter = solver.find(change.parameter);
+        if (parameter == nullptr) {
+            solver.problems().push_back(
+                parameterProblem(change.parameter, "the rover has no parameter of this name.",
+                                 "Check the spelling against the rover's parameters."));
+        } else if (isDerived(*parameter)) {
+            solver.problems().push_back(parameterProblem(
+                change.parameter,
+                fmt::format("it is derived ({}) and cannot be set.", parameter->value.text()),
+                "Set the parameters it is made of."));
+        }
+    }
+    return solver.solve(rover);
+}
+
+Result<double> evaluate(const Quantity& quantity, const ParameterValues& parameters,
+                        const std::string& element) {
+    if (quantity.isLiteral()) {
+        return quantity.literal();
+    }
+    ExpressionEvaluator evaluator;
+    for (const auto& [name, value] : parameters) {
+        evaluator.define(name, value);
+    }
+    const auto result = evaluator.evaluate(quantity.text());
+    if (const auto* reason = std::get_if<std::string>(&result)) {
+        return Problem{Severity::Critical, element,
+                       fmt::format("'{}' has no value: {}.", quantity.text(), *reason),
+                       "Use numbers, parameters of the rover and a unit at the end."};
+    }
+    return std::get<double>(result);
+}
+
+}  // namespace simcore::project

@@ -1,0 +1,641 @@
+#include "simcore/project/resolve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "simcore/mechanism/mass_properties.h"
+#include "simcore/project/element_names.h"
+#include "simcore/project/expression.h"
+#include "simcore/project/units.h"
+
+namespace simcore::project {
+namespace {
+
+using mechanism::MassProperties;
+using mechanism::Mechanism;
+
+/// Values quantities and collects what is wrong with them.
+class Valuer {
+  public:
+    Valuer(const ParameterValues& parameters, Problems& problems) : problems_(problems) {
+        for (const auto& [name, value] : parameters) {
+            evaluator_.define(name, value);
+        }
+    }
+
+    double operator()(const Quantity& quantity, const std::string& element, const char* what) {
+        if (quantity.isLiteral()) {
+            return quantity.literal();
+        }
+        const auto result = evaluator_.evaluate(quantity.text());
+        if (const auto* reason = std::get_if<std::string>(&result)) {
+            critical(element,
+                     fmt::format("{}: '{}' has no value: {}.", what, quantity.text(), *reason),
+                     "Use numbers, parameters of the rover and a unit at the end.");
+            return 0.0;
+        }
+        return std::get<double>(result);
+    }
+
+    Vec3 operator()(const Quantity3& quantity, const std::string& element, const char* what) {
+        return {(*this)(quantity[0], element, what), (*this)(quantity[1], element, what),
+                (*this)(quantity[2], element, what)};
+    }
+
+    /// As operator(), and complains unless the value is > 0.
+    double positive(const Quantity& quantity, const std::string& element, const char* what) {
+        const double value = (*this)(quantity, element, what);
+        if (!(value > 0.0) && !failed(element)) {
+            critical(element, fmt::format("the {} is {:.6g}, not positive.", what, value),
+                     "Give a value above zero.");
+        }
+        return value;
+    }
+
+    double notNegative(const Quantity& quantity, const std::string& element, const char* what) {
+        const double value = (*this)(quantity, element, what);
+        if (!(value >= 0.0)) {
+            critical(element, fmt::format("the {} is {:.6g}, negative.", what, value),
+                     "Give zero or more.");
+        }
+        return value;
+    }
+
+    void critical(const std::string& element, std::string reason, std::string remedy) {
+        problems_.push_back({Severity::Critical, element, std::move(reason), std::move(remedy)});
+    }
+
+    void warning(const std::string& element, std::string reason, std::string remedy) {
+        problems_.push_back({Severity::Warning, element, std::move(reason), std::move(remedy)});
+    }
+
+  private:
+    bool failed(const std::string& element) const {
+        return !problems_.empty() && problems_.back().element == element;
+    }
+
+    ExpressionEvaluator evaluator_;
+    Problems& problems_;
+};
+
+// Mirror rules (y -> -y): points and slides are polar vectors, turns are axial.
+Vec3 mirroredPoint(const Vec3& p, Side side) {
+    return side == Side::Right ? Vec3(p.x(), -p.y(), p.z()) : p;
+}
+
+Vec3 mirroredAxis(const Vec3& a, Side side) {
+    return side == Side::Right ? Vec3(-a.x(), a.y(), -a.z()) : a;
+}
+
+Mat3 mirroredInertia(Mat3 inertia, Side side) {
+    if (side == Side::Right) {
+        inertia(0, 1) = inertia(1, 0) = -inertia(0, 1);
+        inertia(1, 2) = inertia(2, 1) = -inertia(1, 2);
+    }
+    return inertia;
+}
+
+/// One rigid part of the file before welded parts are merged.
+struct Part {
+    std::string name;
+    MassProperties mass;
+    std::vector<mechanism::Shape> shapes;
+    bool inertiaGiven = false;
+};
+
+/// Disjoint sets of part indices.
+class Merger {
+  public:
+    explicit Merger(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), 0);
+    }
+
+    int root(int i) {
+        while (parent_[static_cast<std::size_t>(i)] != i) {
+            i = parent_[static_cast<std::size_t>(i)];
+        }
+        return i;
+    }
+
+    /// The lower index stays the root, so that the first part of the file names the body.
+    void merge(int a, int b) {
+        const int ra = root(a);
+        const int rb = root(b);
+        parent_[static_cast<std::size_t>(std::max(ra, rb))] = std::min(ra, rb);
+    }
+
+  private:
+    std::vector<int> parent_;
+};
+
+class Resolver {
+  public:
+    Resolver(const Rover& rover, const ParameterValues& parameters)
+        : rover_(rover),
+          value_(parameters, problems_) {}
+
+    Result<Mechanism> run() {
+        mechanism_.name = rover_.name;
+        readParts();
+        readPayloads();
+        readJoints();
+        readWheels();
+        readSprings();
+        readGears();
+        if (!hasCritical(problems_)) {
+            checkConnected();
+        }
+        if (hasCritical(problems_)) {
+            return problems_;
+        }
+        return Result<Mechanism>(std::move(mechanism_), std::move(problems_));
+    }
+
+  private:
+    void readParts();
+    void readPayloads();
+    void readJoints();
+    void mergeParts(const std::vector<std::pair<int, int>>& jointParts,
+                    const std::vector<bool>& welded);
+    void readWheels();
+    void readSprings();
+    void readGears();
+    void checkConnected();
+    mechanism::Shape readShape(const Shape& shape, const std::string& element, Side side);
+    std::optional<mechanism::Freedom> readFreedom(const FreedomText& text, const Vec3& axisAsDrawn,
+                                                  const std::string& element, Side side);
+    void readFreedoms(const Joint& joint, const std::string& element, Side side,
+                      mechanism::Joint& out);
+
+    int findPart(const std::string& reference, Side side, const std::string& element) {
+        return find(partIndex_, reference, side, element, "body");
+    }
+
+    int findJoint(const std::string& reference, Side side, const std::string& element) {
+        return find(jointIndex_, reference, side, element, "joint");
+    }
+
+    int find(const NameIndex& index, const std::string& reference, Side side,
+             const std::string& element, const char* kind) {
+        const int found = index.find(reference, side);
+        if (found < 0) {
+            value_.critical(element, fmt::format("there is no {} '{}'.", kind, reference),
+                            fmt::format("Known: {}.", index.list()));
+        }
+        return found;
+    }
+
+    int bodyOfPart(int part) const {
+        return part < 0 ? -1 : bodyOfPart_[static_cast<std::size_t>(part)];
+    }
+
+    const Rover& rover_;
+    Problems problems_;
+    Valuer value_;
+    Mechanism mechanism_;
+    std::vector<Part> parts_;
+    NameIndex partIndex_;
+    std::vector<int> bodyOfPart_;
+    /// Joint names of the file to mechanism joints; locked ones are known as kLocked.
+    NameIndex jointIndex_;
+    static constexpr int kLocked = 1 << 20;
+};
+
+mechanism::Shape Resolver::readShape(const Shape& shape, const std::string& element, Side side) {
+    mechanism::Shape out;
+    out.kind = shape.kind;
+    out.color = shape.color;
+    switch (shape.kind) {
+        case ShapeKind::Box:
+            out.center = mirroredPoint(value_(shape.center, element, "box center"), side);
+            out.size = {value_.positive(shape.size[0], element, "box length"),
+                        value_.positive(shape.size[1], element, "box width"),
+                        value_.positive(shape.size[2], element, "box height")};
+            out.pitch = value_(shape.pitch, element, "box pitch");
+            break;
+        case ShapeKind::Sphere:
+            out.center = mirroredPoint(value_(shape.center, element, "sphere center"), side);
+            out.radius = value_.positive(shape.radius, element, "sphere radius");
+            break;
+        case ShapeKind::Cylinder:
+        case ShapeKind::Bar:
+            out.from = mirroredPoint(value_(shape.from, element, "shape end"), side);
+            out.to = mirroredPoint(value_(shape.to, element, "shape end"), side);
+            if (shape.kind == ShapeKind::Cylinder) {
+                out.radius = value_.positive(shape.radius, element, "cylinder radius");
+            } else {
+                out.width = value_.positive(shape.width, element, "bar width");
+                out.height = value_.positive(shape.height, element, "bar height");
+            }
+            if ((out.to - out.from).norm() < 1e-9) {
+                value_.critical(element, "a shape's two ends coincide.", "Move one of them.");
+                out.to = out.from + Vec3::UnitX();
+            }
+            break;
+    }
+    return out;
+}
+
+void Resolver::readParts() {
+    if (rover_.bodies.empty()) {
+        value_.critical("rover " + rover_.name, "it has no bodies.", "Add at least a chassis.");
+    }
+    for (const auto& copy : expandMirrored(rover_.bodies)) {
+        const Body& body = *copy.element;
+        const std::string element = "body " + copy.name;
+        Part part;
+        part.name = copy.name;
+        part.mass.mass = value_.positive(body.mass, element, "mass");
+        part.mass.com = mirroredPoint(value_(body.com, element, "com"), copy.side);
+        for (const Shape& shape : body.shapes) {
+            part.shapes.push_back(readShape(shape, element, copy.side));
+        }
+        if (body.inertia) {
+            part.inertiaGiven = true;
+            std::array<double, 6> i{};
+            for (std::size_t k = 0; k < 6; ++k) {
+                i[k] = value_((*body.inertia)[k], element, "inertia");
+            }
+            Mat3 inertia;
+            inertia << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
+            part.mass.inertia = mirroredInertia(inertia, copy.side);
+        } else {
+            part.mass.inertia = mechanism::inertiaOfShapes(part.shapes, part.mass.mass);
+        }
+        if (copy.name.empty() || !partIndex_.add(copy.name, static_cast<int>(parts_.size()))) {
+            value_.critical(element,
+                            copy.name.empty() ? "it has no name." : "the name is used twice.",
+                            "Give every body its own name.");
+        }
+        parts_.push_back(std::move(part));
+    }
+}
+
+void Resolver::readPayloads() {
+    for (const auto& copy : expandMirrored(rover_.payloads)) {
+        const std::string element = "payload " + copy.name;
+        const int part = findPart(copy.element->body, copy.side, element);
+        const double mass = value_.positive(copy.element->mass, element, "mass");
+        const Vec3 position =
+            mirroredPoint(value_(copy.element->position, element, "position"), copy.side);
+        if (part >= 0) {
+            MassProperties& carrier = parts_[static_cast<std::size_t>(part)].mass;
+            carrier = mechanism::merged(carrier, {mass, position, Mat3::Zero()});
+        }
+    }
+}
+
+std::optional<mechanism::Freedom> Resolver::readFreedom(const FreedomText& text,
+                                                        const Vec3& axisAsDrawn,
+                                                        const std::string& element, Side side) {
+    std::istringstream words(text);
+    words.imbue(std::locale::classic());
+    std::string kind;
+    std::string first;
+    words >> kind >> first;
+    mechanism::Freedom freedom;
+    Vec3 direction = Vec3::Zero();
+    bool good = kind == "turn" || kind == "slide";
+    if (first == "axis") {
+        direction = axisAsDrawn;
+    } else if (first == "x" || first == "y" || first == "z") {
+        direction = Vec3::Unit(first[0] - 'x');
+    } else {
+        std::istringstream numbers(text.substr(std::min(text.size(), kind.size() + 1)));
+        numbers.imbue(std::locale::classic());
+        good = good && (numbers >> direction.x() >> direction.y() >> direction.z()) &&
+               direction.norm() > 1e-9 && direction.allFinite() && (numbers >> std::ws).eof();
+    }
+    if (!good) {
+        value_.critical(element, fmt::format("freedom '{}' is not understood.", text),
+                        "Write 'turn' or 'slide', then axis, x, y, z or three numbers.");
+        return std::nullopt;
+    }
+    freedom.kind = kind == "turn" ? mechanism::FreedomKind::Turn : mechanism::FreedomKind::Slide;
+    direction.normalize();
+    freedom.direction = freedom.kind == mechanism::FreedomKind::Turn
+                            ? mirroredAxis(direction, side)
+                            : mirroredPoint(direction, side);
+    return freedom;
+}
+
+void Resolver::readFreedoms(const Joint& joint, const std::string& element, Side side,
+                            mechanism::Joint& out) {
+    const Vec3 axisAsDrawn = mirroredAxis(out.axis, side);  // the mirror is its own inverse
+    const auto read = [&](const std::vector<FreedomText>& texts) {
+        std::vector<mechanism::Freedom> freedoms;
+        for (const FreedomText& text : texts) {
+            if (auto freedom = readFreedom(text, axisAsDrawn, element, side)) {
+                freedoms.push_back(*freedom);
+            }
+        }
+        for (const auto kind : {mechanism::FreedomKind::Turn, mechanism::FreedomKind::Slide}) {
+            Eigen::Matrix3Xd directions(3, 0);
+            for (const auto& freedom : freedoms) {
+                if (freedom.kind == kind) {
+                    directions.conservativeResize(3, directions.cols() + 1);
+                    directions.col(directions.cols() - 1) = freedom.direction;
+                }
+            }
+            if (directions.cols() > 0 &&
+                Eigen::ColPivHouseholderQR<Eigen::Matrix3Xd>(directions).setThreshold(1e-6).rank() <
+                    directions.cols()) {
+                value_.critical(element, "two of its free directions are the same or dependent.",
+                                "Remove one, or turn it.");
+            }
+        }
+        return freedoms;
+    };
+    out.built = read(joint.free);
+    out.relaxed = joint.relaxed.empty() ? out.built : read(joint.relaxed);
+}
+
+void Resolver::readJoints() {
+    std::vector<std::pair<int, int>> jointParts;
+    std::vector<bool> welded;
+    for (const auto& copy : expandMirrored(rover_.joints)) {
+        const Joint& joint = *copy.element;
+        const std::string element = "joint " + copy.name;
+        mechanism::Joint out;
+        out.name = copy.name;
+        const int first = findPart(joint.first, copy.side, element);
+        const int second = findPart(joint.second, copy.side, element);
+        if (first >= 0 && first == second) {
+            value_.critical(element, "it joins a body to itself.", "Name two bodies.");
+        }
+        out.point = mirroredPoint(value_(joint.point, element, "point"), copy.side);
+        const Vec3 axis = value_(joint.axis, element, "axis");
+        if (axis.norm() > 1e-9) {
+            out.axis = mirroredAxis(axis.normalized(), copy.side);
+        } else {
+            value_.critical(element, "its axis has no length.",
+                            "Give a direction, e.g. [0, 1, 0].");
+        }
+        readFreedoms(joint, element, copy.side, out);
+        if (joint.stops) {
+            const double low = value_((*joint.stops)[0], element, "lower stop");
+            const double high = value_((*joint.stops)[1], element, "upper stop");
+            if (!(low <= 0.0 && high >= 0.0 && low < high)) {
+                value_.critical(element,
+                                fmt::format("stops {:.4g} and {:.4g} rad do not enclose the drawn "
+                                            "pose (0).",
+                                            low, high),
+                                "Give the lower one first, below zero, and the upper one above.");
+            }
+            out.stops = {low, high};
+        }
+        out.damping = value_.notNegative(joint.damping, element, "damping");
+        const bool weld = joint.locked || joint.free.empty();
+        jointParts.emplace_back(first, second);
+        welded.push_back(weld);
+        const int index = weld ? kLocked : static_cast<int>(mechanism_.joints.size());
+        if (copy.name.empty() || !jointIndex_.add(copy.name, index)) {
+            value_.critical(element,
+                            copy.name.empty() ? "it has no name." : "the name is used twice.",
+                            "Give every joint its own name.");
+        }
+        if (!weld) {
+            mechanism_.joints.push_back(std::move(out));
+        }
+    }
+    mergeParts(jointParts, welded);
+    std::size_t joint = 0;
+    for (std::size_t i = 0; i < jointParts.size(); ++i) {
+        if (!welded[i]) {
+            mechanism::Joint& out = mechanism_.joints[joint++];
+            out.first = bodyOfPart(jointParts[i].first);
+            out.second = bodyOfPart(jointParts[i].second);
+            if (out.first >= 0 && out.first == out.second &&
+                jointParts[i].first != jointParts[i].second) {
+                value_.critical("joint " + out.name, "it joins two parts that are welded together.",
+                                "Remove the joint, or unlock the other one.");
+            }
+        }
+    }
+}
+
+void Resolver::mergeParts(const std::vector<std::pair<int, int>>& jointParts,
+                          const std::vector<bool>& welded) {
+    Merger merger(parts_.size());
+    for (std::size_t i = 0; i < jointParts.size(); ++i) {
+        if (welded[i] && jointParts[i].first >= 0 && jointParts[i].second >= 0) {
+            merger.merge(jointParts[i].first, jointParts[i].second);
+        }
+    }
+    bodyOfPart_.assign(parts_.size(), -1);
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const auto root = static_cast<std::size_t>(merger.root(static_cast<int>(i)));
+        Part& part = parts_[i];
+        if (root == i) {
+            bodyOfPart_[i] = static_cast<int>(mechanism_.bodies.size());
+            mechanism_.bodies.push_back({part.name,
+                                         {part.name},
+                                         part.mass.mass,
+                                         part.mass.com,
+                                         part.mass.inertia,
+                                         part.shapes});
+            continue;
+        }
+        bodyOfPart_[i] = bodyOfPart_[root];
+        mechanism::Body& body = mechanism_.bodies[static_cast<std::size_t>(bodyOfPart_[i])];
+        const MassProperties sum =
+            mechanism::merged({body.mass, body.com, body.inertia}, part.mass);
+        body.mass = sum.mass;
+        body.com = sum.com;
+        body.inertia = sum.inertia;
+        body.parts.push_back(part.name);
+        body.shapes.insert(body.shapes.end(), part.shapes.begin(), part.shapes.end());
+    }
+}
+
+void Resolver::readWheels() {
+    NameIndex names;
+    std::vector<int> wheelOfBody(mechanism_.bodies.size(), -1);
+    for (const auto& copy : expandMirrored(rover_.wheels)) {
+        const Wheel& wheel = *copy.element;
+        const std::string element = "wheel " + copy.name;
+        mechanism::Wheel out;
+        out.name = copy.name;
+        out.body = bodyOfPart(findPart(wheel.body, copy.side, element));
+        out.axle = findJoint(wheel.axle, copy.side, element);
+        out.radius = value_.positive(wheel.radius, element, "radius");
+        out.width = value_.positive(wheel.width, element, "width");
+        out.grousers = wheel.grousers;
+        out.torqueLimit = value_.positive(wheel.motor.torqueLimit, element, "torque limit");
+        out.speedLimit = value_.positive(wheel.motor.speedLimit, element, "speed limit");
+        out.rotorInertia = value_.notNegative(wheel.motor.rotorInertia, element, "rotor inertia");
+        out.relaxedLateral = wheel.relaxedLateral;
+        if (wheel.grousers < 0 || wheel.grousers > 200) {
+            value_.critical(element, fmt::format("{} grousers cannot be drawn.", wheel.grousers),
+                            "Give 0 to 200.");
+        }
+        if (!wheel.steering.empty()) {
+            findJoint(wheel.steering, copy.side, element);
+        }
+        if (copy.name.empty() || !names.add(copy.name, 0)) {
+            value_.critical(element,
+                            copy.name.empty() ? "it has no name." : "the name is used twice.",
+                            "Give every wheel its own name.");
+        }
+        if (out.axle >= kLocked) {
+            value_.critical(element, "its axle is locked or has no freedom.", "Unlock the axle.");
+        } else if (out.axle >= 0 && out.body >= 0) {
+            const mechanism::Joint& axle = mechanism_.joints[static_cast<std::size_t>(out.axle)];
+            const bool pin =
+                axle.built.size() == 1 && axle.built[0].kind == mechanism::FreedomKind::Turn;
+            if (!pin || (axle.first != out.body && axle.second != out.body)) {
+                value_.critical(element, fmt::format("'{}' is not a pin of its body.", axle.name),
+                                "Name the pin joint between the wheel's body and its carrier.");
+            }
+            out.carrier = axle.first == out.body ? axle.second : axle.first;
+            out.center = axle.point;
+            out.axis = axle.axis.y() < 0.0 ? Vec3(-axle.axis) : axle.axis;
+            if (std::abs(axle.axis.y()) < 0.1) {
+                value_.critical(element, "its axle does not point sideways.",
+                                "Wheels roll forward: give the axle an axis along y.");
+            }
+            mechanism::Body& body = mechanism_.bodies[static_cast<std::size_t>(out.body)];
+            int& owner = wheelOfBody[static_cast<std::size_t>(out.body)];
+            if (owner >= 0) {
+                value_.critical(element,
+                                fmt::format("body '{}' already carries a wheel.", body.name),
+                                "Give each wheel its own body.");
+            }
+            owner = static_cast<int>(mechanism_.wheels.size());
+            if (body.inertia.isZero()) {
+                body.inertia =
+                    mechanism::inertiaOfCylinder(body.mass, out.radius, out.width, out.axis);
+            }
+            const double gap = out.center.z() - out.radius;
+            if (std::abs(gap) > 1e-3) {
+                value_.warning(element,
+                               fmt::format("it is {:.1f} mm {} the ground at the drawn pose.",
+                                           1e3 * std::abs(gap), gap > 0 ? "above" : "below"),
+                               "Put its axle at the height of its radius.");
+            }
+        }
+        mechanism_.wheels.push_back(std::move(out));
+    }
+    for (mechanism::Body& body : mechanism_.bodies) {
+        const std::string element = "body " + body.name;
+        if (body.mass > 0.0 && body.inertia.isZero()) {
+            // Radius of a solid ball of density 2700 kg/m^3 (aluminium): assumed.
+            const double radius = std::cbrt(3.0 * body.mass / (4.0 * std::numbers::pi * 2700.0));
+            body.inertia = 0.4 * body.mass * radius * radius * Mat3::Identity();
+            value_.warning(element,
+                           "it has neither inertia nor shapes; a solid aluminium ball is assumed.",
+                           "Draw a shape, or give its inertia.");
+        }
+        if (const std::string why = mechanism::whyNotInertia(body.inertia);
+            body.mass > 0.0 && !why.empty()) {
+            value_.critical(element, "its inertia is impossible: " + why + ".",
+                            "Correct the inertia, or remove it to use that of the shapes.");
+        }
+    }
+}
+
+void Resolver::readSprings() {
+    for (const auto& copy : expandMirrored(rover_.springs)) {
+        const Spring& spring = *copy.element;
+        const std::string element = "spring " + copy.name;
+        mechanism::Spring out;
+        out.name = copy.name;
+        out.stiffness = value_.notNegative(spring.stiffness, element, "stiffness");
+        out.preload = value_(spring.preload, element, "preload");
+        out.damping = value_.notNegative(spring.damping, element, "damping");
+        if (!spring.joint.empty()) {
+            out.joint = findJoint(spring.joint, copy.side, element);
+            if (out.joint >= kLocked) {
+                value_.critical(element, "its joint is locked.",
+                                "Unlock it, or remove the spring.");
+            } else if (out.joint >= 0) {
+                out.first = mechanism_.joints[static_cast<std::size_t>(out.joint)].first;
+                out.second = mechanism_.joints[static_cast<std::size_t>(out.joint)].second;
+            }
+        } else {
+            out.first = bodyOfPart(findPart(spring.first, copy.side, element));
+            out.second = bodyOfPart(findPart(spring.second, copy.side, element));
+            out.firstPoint =
+                mirroredPoint(value_(spring.firstPoint, element, "first point"), copy.side);
+            out.secondPoint =
+                mirroredPoint(value_(spring.secondPoint, element, "second point"), copy.side);
+            if ((out.firstPoint - out.secondPoint).norm() < 1e-4) {
+                value_.critical(element, "its two ends coincide.", "Move one end.");
+            }
+        }
+        mechanism_.springs.push_back(std::move(out));
+    }
+}
+
+void Resolver::readGears() {
+    for (const Gear& gear : rover_.gears) {
+        const std::string element = "gear " + gear.name;
+        mechanism::Gear out;
+        out.name = gear.name;
+        out.firstJoint = findJoint(gear.firstJoint, Side::Center, element);
+        out.secondJoint = findJoint(gear.secondJoint, Side::Center, element);
+        out.ratio = value_(gear.ratio, element, "ratio");
+        for (const int joint : {out.firstJoint, out.secondJoint}) {
+            const bool pin = joint >= 0 && joint < kLocked &&
+                             mechanism_.joints[static_cast<std::size_t>(joint)].built.size() == 1;
+            if (joint >= 0 && !pin) {
+                value_.critical(element, "it does not connect two pins.", "Name two pin joints.");
+            }
+        }
+        if (out.firstJoint == out.secondJoint && out.firstJoint >= 0) {
+            value_.critical(element, "it connects a joint with itself.", "Name two pin joints.");
+        }
+        if (!(std::abs(out.ratio) > 1e-6)) {
+            value_.critical(element, "its ratio is zero.", "Give the ratio of the turns.");
+        }
+        mechanism_.gears.push_back(std::move(out));
+    }
+}
+
+void Resolver::checkConnected() {
+    if (mechanism_.wheels.empty()) {
+        value_.warning("rover " + rover_.name, "it has no wheels.", "Add wheels to drive it.");
+    }
+    Merger merger(mechanism_.bodies.size());
+    for (const mechanism::Joint& joint : mechanism_.joints) {
+        merger.merge(joint.first, joint.second);
+    }
+    for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
+        if (merger.root(static_cast<int>(i)) != merger.root(mechanism_.chassis)) {
+            value_.critical("body " + mechanism_.bodies[i].name,
+                            "no joint connects it to the chassis.", "Join it, or remove it.");
+        }
+    }
+}
+
+}  // namespace
+
+Result<Mechanism> resolve(const Rover& rover, const ParameterValues& parameters) {
+    return Resolver(rover, parameters).run();
+}
+
+Result<Mechanism> resolve(const Project& project, const std::string& variant,
+                          const std::vector<Assignment>& assignments) {
+    std::vector<Override> overrides;
+    if (!variant.empty()) {
+        const auto found = std::find_if(project.variants.begin(), project.variants.end(),
+                                        [&](const Variant& v) { return v.name == variant; });
+        if (found == project.variants.end()) {
+            return Problem{Severity::Critical, "variant " + variant, "there is no such variant.",
+                           "Name one of the project's variants."};
+        }
+        overrides = found->set;
+    }
+    const auto parameters = evaluateParameters(project.rover, overrides, assignments);
+    if (!parameters) {
+        return parameters.problems();
+    }
+    return resolve(project.rover, *parameters);
+}
+
+}  // namespace simcore::project
