@@ -22,7 +22,12 @@ struct Channel {
 /// All channels of a rover: time, chassis, then every wheel in file order.
 std::vector<Channel> makeChannels(const mechanism::Mechanism& mechanism);
 
-/// The values of all channels at one instant, in the order of makeChannels().
-void sampleChannels(const Snapshot& snapshot, std::vector<double>& row);
+/// The values of all channels at one instant, in the order of makeChannels(). `chassis` is
+/// Mechanism::chassis.
+void sampleChannels(const Snapshot& snapshot, std::vector<double>& row, int chassis = 0);
+
+/// Position of a channel in makeChannels(), -1 when there is none.
+int findChannel(const std::vector<Channel>& channels, const std::string& quantity,
+                const std::string& object);
 
 }  // namespace simcore::run

@@ -1,0 +1,144 @@
+#include "simcore/io/csv.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "simcore/base/version.h"
+#include "simcore/io/atomic_file.h"
+#include "simcore/io/json_format.h"
+#include "simcore/io/run_report_json.h"
+#include "simcore/project/names.h"
+
+namespace simcore::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A name with a comma, a quote or a line end is quoted as RFC 4180 says.
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+        return text;
+    }
+    std::string out = "\"";
+    for (const char c : text) {
+        out += c == '"' ? "\"\"" : std::string(1, c);
+    }
+    return out + "\"";
+}
+
+void appendNumber(double value, std::string& out) {
+    if (std::isnan(value)) {
+        return;  // missing
+    }
+    std::array<char, 32> digits{};
+    // Shortest text that reads back exactly; std::to_chars knows no locale.
+    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc{}) {
+        throw std::logic_error("formatCsv: a double did not fit");
+    }
+    out.append(digits.data(), end);
+}
+
+Json columnsOf(const std::vector<run::Channel>& channels) {
+    Json columns = Json::array();
+    for (const run::Channel& channel : channels) {
+        Json column;
+        column["name"] = channel.column();
+        column["quantity"] = channel.quantity;
+        column["object"] = channel.object;
+        column["unit"] = channel.unit;
+        column["meaning"] = channel.meaning;
+        columns.push_back(column);
+    }
+    return columns;
+}
+
+Json settingsOf(const run::ResolvedRun& run) {
+    Json json;
+    json["controller"] = project::nameOf(run.controller);
+    json["speed"] = run.speed;
+    json["assumed_friction"] = run.assumedFriction;
+    json["control_period"] = run.controlPeriod;
+    json["friction"] = run.friction;
+    json["rolling_resistance"] = run.rollingResistance;
+    json["step"] = run.step;
+    json["distance"] = run.distance;
+    json["duration"] = run.duration;
+    json["settle"] = run.settle;
+    json["ramp"] = run.ramp;
+    return json;
+}
+
+}  // namespace
+
+std::string formatCsv(const std::vector<run::Channel>& channels,
+                      const std::vector<std::vector<double>>& rows) {
+    std::string out;
+    out.reserve(64 * channels.size() + 12 * channels.size() * rows.size());
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        out += i == 0 ? "" : ",";
+        out += quoted(channels[i].column());
+    }
+    out += '\n';
+    for (const std::vector<double>& row : rows) {
+        if (row.size() != channels.size()) {
+            throw std::invalid_argument("formatCsv: a row is not as long as the list of channels");
+        }
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            out += i == 0 ? "" : ",";
+            appendNumber(row[i], out);
+        }
+        out += '\n';
+    }
+    return out;
+}
+
+std::string formatCsvMetadata(const run::Recording& recording, const run::ResolvedRun& settings,
+                              const run::RunReport& report, const RecordingOrigin& origin) {
+    Json json;
+    json["schema"] = "roverstudio.recording-table/1";
+    json["program_version"] = programVersion();
+    json["project"] = origin.projectName;
+    json["project_file"] = origin.projectFile;
+    json["variant"] = origin.variant;
+    json["scenario"] = settings.scenario;
+    json["parameters"] = Json::object();
+    for (const auto& [name, value] : origin.parameters) {
+        json["parameters"][name] = value;
+    }
+    json["overrides"] = Json::object();
+    for (const project::Assignment& assignment : origin.assignments) {
+        json["overrides"][assignment.parameter] = assignment.value;
+    }
+    json["engine"] = report.engine;
+    json["step"] = settings.step;
+    json["seed"] = settings.seed;
+    json["state_hash"] = report.stateHash;
+    json["settings"] = settingsOf(settings);
+    json["report"] = toJson(report);
+    json["rows"] = recording.rows.size();
+    json["columns"] = columnsOf(recording.channels);
+    return formatJson(json);
+}
+
+std::filesystem::path csvMetadataFile(const std::filesystem::path& csvFile) {
+    std::filesystem::path file = csvFile;
+    // A table named x.json keeps its own name: the metadata go to x.json.json.
+    return file.extension() == ".json" ? file.replace_extension(".json.json")
+                                       : file.replace_extension(".json");
+}
+
+Result<bool> saveCsv(const run::Recording& recording, const run::ResolvedRun& settings,
+                     const run::RunReport& report, const RecordingOrigin& origin,
+                     const std::filesystem::path& file) {
+    Result<bool> table = writeFileAtomically(file, formatCsv(recording.channels, recording.rows));
+    if (!table) {
+        return table;
+    }
+    return writeFileAtomically(csvMetadataFile(file),
+                               formatCsvMetadata(recording, settings, report, origin));
+}
+
+}  // namespace simcore::io
