@@ -76,7 +76,7 @@ constexpr std::array kWheel{
         "the wheel spins.",
         [](const WheelState& w) { return w.slipSigned; }},
     Column<WheelState>{"slip_ratio", "Slip ratio", "-",
-                       "(wR - v) / max(|wR|, |v|, 0.01 m/s): positive when the wheel spins.",
+                       "(wR - v) / max(abs(wR), abs(v), 0.01 m/s): positive when the wheel spins.",
                        [](const WheelState& w) { return w.slipRatio; }},
     Column<WheelState>{"slip_lateral", "Slip (lateral)", "m",
                        "Sum of the absolute sideways motion of the contact since counting began.",
