@@ -1,0 +1,90 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "simcore/base/problem.h"
+#include "simcore/contact/wheel_contact.h"
+#include "simcore/mechanism/mechanism.h"
+
+/// Rigid-body engines behind one port. An engine advances a resolved mechanism under given wheel
+/// torques and contacts; contact search, motors, controllers and measures live outside it.
+namespace simcore::dynamics {
+
+/// Standard engineering value used by the reference data [m/s^2].
+inline constexpr double kGravity = 9.81;
+
+struct EngineSettings {
+    double step = 0.002;        ///< [s]
+    double gravity = kGravity;  ///< along -z [m/s^2]
+};
+
+/// What acts on the mechanism during one step. Spans are as long as the mechanism's wheels.
+struct StepInput {
+    /// About each wheel's axis, equal and opposite on wheel and carrier [N m], + drives forward.
+    std::span<const double> wheelTorques;
+    /// About each wheel's axis, on the wheel alone (rolling resistance) [N m].
+    std::span<const double> externalTorques;
+    /// Where the wheels touch at the start of the step.
+    std::span<const contact::Contact> contacts;
+    /// Coulomb coefficient of all contacts [-].
+    double friction = 0.7;
+};
+
+/// Velocity of a body: of its centre of mass [m/s] and angular [rad/s], world.
+struct BodyVelocity {
+    Vec3 linear = Vec3::Zero();
+    Vec3 angular = Vec3::Zero();
+};
+
+/// Counters of how hard the steps were, for a run's report.
+struct EngineCounters {
+    long steps = 0;
+    long passes = 0;          ///< solves, >= steps
+    long solverMessages = 0;  ///< complaints of the solver
+};
+
+/// A mechanism in motion. Not thread safe: made, stepped and destroyed by one thread.
+class Engine {
+  public:
+    virtual ~Engine() = default;
+
+    virtual std::string name() const = 0;
+    /// Back to the drawn pose at the world's origin, at rest.
+    virtual void reset() = 0;
+    virtual void step(const StepInput& input) = 0;
+
+    /// X_WB of every body, mechanism order.
+    virtual const std::vector<Pose>& poses() const = 0;
+    virtual const std::vector<BodyVelocity>& velocities() const = 0;
+    /// Force of the ground on the wheel [N], world, per contact of the last step's input.
+    virtual const std::vector<Vec3>& contactForces() const = 0;
+
+    /// Everything the next step depends on, as numbers: restoring it continues bit for bit.
+    virtual std::vector<double> saveState() const = 0;
+    virtual void restoreState(std::span<const double> state) = 0;
+
+    virtual const EngineCounters& counters() const = 0;
+};
+
+/// Turn of a joint's second body against its first about the joint's axis [rad], (-pi, pi].
+double jointAngle(const mechanism::Joint& joint, const std::vector<Pose>& poses);
+
+/// Its rate [rad/s].
+double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
+                 const std::vector<BodyVelocity>& velocities);
+
+/// Largest gap between the two bodies of any joint, along the directions it holds [m].
+double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses);
+
+/// What the ODE engine cannot run in this mechanism (as built); empty when it can.
+Problems whyOdeCannotRun(const mechanism::Mechanism& mechanism);
+
+/// The Open Dynamics Engine.
+/// @throws std::invalid_argument when whyOdeCannotRun() is not empty
+std::unique_ptr<Engine> makeOdeEngine(const mechanism::Mechanism& mechanism,
+                                      const EngineSettings& settings);
+
+}  // namespace simcore::dynamics

@@ -1,0 +1,121 @@
+#include "simcore/dynamics/friction_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace simcore::dynamics {
+namespace {
+
+// A contact of the last step is the same one when it is on the same disc and this near [m].
+constexpr double kSameContact = 0.03;
+// Agreement asked of limits and normal forces: relative, and absolute [N].
+constexpr double kTolerance = 0.02;
+constexpr double kToleranceForce = 0.02;
+// Below this share of its limit a tangential force gives the box no direction.
+constexpr double kDirected = 0.3;
+constexpr std::size_t kNumbersPerMemory = 9;
+
+Vec3 tangentialPart(const Vec3& force, const Vec3& normal) {
+    return force - force.dot(normal) * normal;
+}
+
+}  // namespace
+
+const FrictionBounds::Remembered* FrictionBounds::recall(const contact::Contact& contact) const {
+    const Remembered* best = nullptr;
+    double bestDistance = kSameContact;
+    for (const Remembered& old : memory_) {
+        const double distance = (old.point - contact.point).norm();
+        if (old.wheel == contact.wheel && old.slice == contact.slice && distance < bestDistance) {
+            best = &old;
+            bestDistance = distance;
+        }
+    }
+    return best;
+}
+
+void FrictionBounds::begin(std::span<const contact::Contact> contacts, double friction) {
+    friction_ = friction;
+    updates_ = 0;
+    boxes_.assign(contacts.size(), {});
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        FrictionBox& box = boxes_[i];
+        box.direction = contacts[i].forward;
+        if (const Remembered* old = recall(contacts[i])) {
+            box.fromNormalForce = false;
+            box.along = box.across = friction * old->normalForce;
+            const Vec3 tangential = tangentialPart(old->tangential, contacts[i].normal);
+            if (tangential.norm() > kDirected * box.along && tangential.norm() > kToleranceForce) {
+                box.direction = tangential.normalized();
+            }
+        }
+    }
+}
+
+bool FrictionBounds::update(std::span<const contact::Contact> contacts,
+                            std::span<const Vec3> forces) {
+    bool agree = true;
+    ++updates_;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        FrictionBox& box = boxes_[i];
+        const Vec3& normal = contacts[i].normal;
+        const double limit = friction_ * std::max(0.0, forces[i].dot(normal));
+        const Vec3 tangential = tangentialPart(forces[i], normal);
+        const double size = tangential.norm();
+        const double along = std::abs(tangential.dot(box.direction));
+        const double across = std::abs(tangential.dot(normal.cross(box.direction)));
+        const double slack = kTolerance * limit + kToleranceForce;
+        const bool outside = size > limit + slack;
+        const bool held = box.fromNormalForce || along > (1.0 - 1e-6) * box.along ||
+                          across > (1.0 - 1e-6) * box.across;
+        const bool short_ = held && size < limit - slack;
+        const bool guessed = box.fromNormalForce && size > 0.5 * limit;
+        if (outside || short_ || guessed) {
+            agree = false;
+        }
+        // Later passes move half-way only, in case the fixed point is approached from both sides.
+        const double step = box.fromNormalForce || updates_ < 3 ? 1.0 : 0.5;
+        box.along += step * (limit - box.along);
+        box.across = box.along;
+        box.fromNormalForce = false;
+        if (size > kDirected * limit && size > kToleranceForce) {
+            box.direction = tangential.normalized();
+        }
+    }
+    return agree;
+}
+
+void FrictionBounds::end(std::span<const contact::Contact> contacts, std::span<const Vec3> forces) {
+    memory_.resize(contacts.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const contact::Contact& c = contacts[i];
+        memory_[i] = {c.wheel, c.slice, c.point, std::max(0.0, forces[i].dot(c.normal)),
+                      tangentialPart(forces[i], c.normal)};
+    }
+}
+
+void FrictionBounds::save(std::vector<double>& numbers) const {
+    for (const Remembered& m : memory_) {
+        numbers.insert(numbers.end(), {static_cast<double>(m.wheel), static_cast<double>(m.slice),
+                                       m.point.x(), m.point.y(), m.point.z(), m.normalForce,
+                                       m.tangential.x(), m.tangential.y(), m.tangential.z()});
+    }
+}
+
+void FrictionBounds::restore(std::span<const double> numbers) {
+    if (numbers.size() % kNumbersPerMemory != 0) {
+        throw std::invalid_argument("the state belongs to another mechanism");
+    }
+    memory_.clear();
+    for (std::size_t i = 0; i < numbers.size(); i += kNumbersPerMemory) {
+        const double* n = numbers.data() + i;
+        memory_.push_back({static_cast<int>(n[0]),
+                           static_cast<int>(n[1]),
+                           {n[2], n[3], n[4]},
+                           n[5],
+                           {n[6], n[7], n[8]}});
+    }
+}
+
+}  // namespace simcore::dynamics

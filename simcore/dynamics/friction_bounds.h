@@ -1,0 +1,59 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "simcore/contact/wheel_contact.h"
+
+/// Friction limits that follow the normal forces of the same step.
+///
+/// ODE's direct solver fixes friction limits before it solves. Limits taken from a frictionless
+/// solve (its "approximation 1") leave a wheel that is pressed to a wall only by the friction of
+/// the others without grip. So limits are guessed from the last step and the step is solved again
+/// until they agree with the normal forces found: a fixed point. The friction box is turned so that
+/// its face touches the friction cone at the tangential force.
+namespace simcore::dynamics {
+
+struct FrictionBox {
+    bool fromNormalForce = true;     ///< no guess yet: let the solver approximate
+    Vec3 direction = Vec3::UnitX();  ///< unit, in the contact plane
+    double along = 0.0;              ///< limit along direction [N]
+    double across = 0.0;             ///< limit across it [N]
+};
+
+class FrictionBounds {
+  public:
+    /// First guesses for these contacts, from the forces remembered of the last step.
+    void begin(std::span<const contact::Contact> contacts, double friction);
+
+    const FrictionBox& box(std::size_t contact) const { return boxes_[contact]; }
+
+    /// Takes the forces found with the present boxes. True when they agree; else the boxes are
+    /// improved.
+    bool update(std::span<const contact::Contact> contacts, std::span<const Vec3> forces);
+    /// Remembers the forces of the accepted solve.
+    void end(std::span<const contact::Contact> contacts, std::span<const Vec3> forces);
+
+    void clear() { memory_.clear(); }
+
+    void save(std::vector<double>& numbers) const;
+    void restore(std::span<const double> numbers);
+
+  private:
+    struct Remembered {
+        int wheel = 0;
+        int slice = 0;
+        Vec3 point = Vec3::Zero();
+        double normalForce = 0.0;
+        Vec3 tangential = Vec3::Zero();
+    };
+
+    const Remembered* recall(const contact::Contact& contact) const;
+
+    double friction_ = 0.0;
+    int updates_ = 0;
+    std::vector<FrictionBox> boxes_;
+    std::vector<Remembered> memory_;
+};
+
+}  // namespace simcore::dynamics

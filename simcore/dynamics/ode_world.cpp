@@ -1,0 +1,72 @@
+#include "simcore/dynamics/ode_world.h"
+
+#include <cstdarg>
+#include <mutex>
+#include <stdexcept>
+
+namespace simcore::dynamics {
+namespace {
+
+thread_local long messages = 0;
+
+void countMessage(int /*number*/, const char* /*text*/, va_list /*arguments*/) {
+    ++messages;
+}
+
+void initialiseLibrary() {
+    dInitODE2(0);
+    if (!dCheckConfiguration("ODE_double_precision")) {
+        throw std::runtime_error("the ODE library is not built in double precision");
+    }
+    dSetMessageHandler(countMessage);
+}
+
+/// Per-thread data of ODE, freed when the thread ends.
+class ThreadData {
+  public:
+    ThreadData() { dAllocateODEDataForThread(dAllocateMaskAll); }
+
+    ~ThreadData() { dCleanupODEAllDataForThread(); }
+
+    ThreadData(const ThreadData&) = delete;
+    ThreadData& operator=(const ThreadData&) = delete;
+};
+
+// Solver settings (docs/engines.md): constraint errors corrected by a fifth a step; the compliance
+// only keeps the redundant rows of hyperstatic mechanisms solvable.
+constexpr double kErrorReduction = 0.2;
+constexpr double kCompliance = 1e-10;
+// Depth of a resting contact [m]: without it contacts are made and lost at every other step.
+constexpr double kSurfaceLayer = 0.0005;
+
+}  // namespace
+
+void useOdeOnThisThread() {
+    static std::once_flag once;
+    std::call_once(once, initialiseLibrary);
+    thread_local const ThreadData data;
+}
+
+long odeMessagesOnThisThread() {
+    return messages;
+}
+
+OdeWorld::OdeWorld() {
+    useOdeOnThisThread();
+    world_ = dWorldCreate();
+    contactGroup_ = dJointGroupCreate(0);
+    dWorldSetERP(world_, kErrorReduction);
+    dWorldSetCFM(world_, kCompliance);
+    dWorldSetContactSurfaceLayer(world_, kSurfaceLayer);
+    // A sleeping rover would read as one without slip.
+    dWorldSetAutoDisableFlag(world_, 0);
+    dWorldSetDamping(world_, 0.0, 0.0);
+    dWorldSetMaxAngularSpeed(world_, dInfinity);
+}
+
+OdeWorld::~OdeWorld() {
+    dJointGroupDestroy(contactGroup_);
+    dWorldDestroy(world_);
+}
+
+}  // namespace simcore::dynamics
