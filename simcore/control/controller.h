@@ -1,0 +1,80 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "simcore/mechanism/mechanism.h"
+#include "simcore/project/project.h"
+
+/// Controllers: sensors in, a command per wheel out, at a fixed period. None of them knows the
+/// ground's friction; caps use the controller's own assumed value.
+namespace simcore::control {
+
+/// What a controller may know about one wheel.
+struct WheelSensors {
+    double rate = 0.0;          ///< encoder: wheel against its carrier [rad/s], + forward
+    double normalForce = 0.0;   ///< tactile [N]
+    double contactAngle = 0.0;  ///< tactile [rad]
+};
+
+struct Sensors {
+    double bodySpeed = 0.0;  ///< chassis origin along the chassis' forward axis [m/s]
+    double yawRate = 0.0;    ///< IMU [rad/s], + left
+    std::vector<WheelSensors> wheels;
+};
+
+/// What is asked of the rover now.
+struct DriveCommand {
+    double speed = 0.0;  ///< [m/s], + forward
+    double turn = 0.0;   ///< [rad/s], + left; only Manual uses it
+    /// Standing still on purpose (settling): hold the wheels.
+    bool brake = false;
+};
+
+/// For one wheel: a torque, plus a speed loop that the drive runs at the engine's step.
+struct WheelCommand {
+    double torque = 0.0;        ///< feed-forward [N m]
+    double speed = 0.0;         ///< set-point of the speed loop [rad/s]
+    double proportional = 0.0;  ///< of the speed loop [N m s/rad]; 0 with integral 0 = no loop
+    double integral = 0.0;      ///< [N m/rad]
+    double torqueCap = 0.0;     ///< |total torque| stays below [N m]
+};
+
+struct ControllerSettings {
+    project::ControllerKind kind = project::ControllerKind::Speed;
+    double assumedFriction = 0.5;
+    double period = 0.01;  ///< [s]
+    /// 0 = derived from the rover, see each controller.
+    double proportional = 0.0;
+    double integral = 0.0;
+    double derivative = 0.0;
+};
+
+class Controller {
+  public:
+    virtual ~Controller() = default;
+    virtual void reset() = 0;
+    /// Called once per period; writes one command per wheel.
+    virtual void update(const Sensors& sensors, const DriveCommand& command,
+                        std::span<WheelCommand> wheels) = 0;
+};
+
+/// Every wheel at rover speed / radius by a PI loop per wheel; Manual adds v = turn x track for
+/// skid steering. Default gains 0.5 and 5 torque limits per rad/s and rad (assumed; see
+/// docs/controllers.md).
+std::unique_ptr<Controller> makeSpeedController(const mechanism::Mechanism& mechanism,
+                                                const ControllerSettings& settings);
+
+/// One PID on the body's speed; its torque is shared as N_i / N_mean (Lamon et al. 2004, eq. 4),
+/// capped at assumed_mu N_i R and slowed above 1.5 times the commanded wheel speed; a wheel in the
+/// air follows the commanded speed gently instead. Default gains from a point mass: poles at -6/s
+/// (assumed).
+std::unique_ptr<Controller> makeEqualTorqueController(const mechanism::Mechanism& mechanism,
+                                                      const ControllerSettings& settings);
+
+std::unique_ptr<Controller> makeController(const mechanism::Mechanism& mechanism,
+                                           const ControllerSettings& settings);
+
+}  // namespace simcore::control

@@ -1,0 +1,56 @@
+#include "simcore/control/controller.h"
+
+namespace simcore::control {
+namespace {
+
+// Full torque at 2 rad/s of error, and after 0.2 rad of accumulated error (assumed: the stiffness
+// of a small geared drive).
+constexpr double kProportionalShare = 0.5;
+constexpr double kIntegralShare = 5.0;
+
+class SpeedController final : public Controller {
+  public:
+    SpeedController(const mechanism::Mechanism& mechanism, const ControllerSettings& settings)
+        : wheels_(mechanism.wheels),
+          settings_(settings) {}
+
+    void reset() override {}
+
+    void update(const Sensors& /*sensors*/, const DriveCommand& command,
+                std::span<WheelCommand> out) override {
+        const double turn = settings_.kind == project::ControllerKind::Manual ? command.turn : 0.0;
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            const mechanism::Wheel& wheel = wheels_[i];
+            // Skid steering: a wheel at y moves at v - turn * y.
+            const double speed = command.brake ? 0.0 : command.speed - turn * wheel.center.y();
+            out[i].torque = 0.0;
+            out[i].speed = speed / wheel.radius;
+            out[i].proportional = settings_.proportional > 0.0
+                                      ? settings_.proportional
+                                      : kProportionalShare * wheel.torqueLimit;
+            out[i].integral =
+                settings_.integral > 0.0 ? settings_.integral : kIntegralShare * wheel.torqueLimit;
+            out[i].torqueCap = wheel.torqueLimit;
+        }
+    }
+
+  private:
+    const std::vector<mechanism::Wheel> wheels_;
+    ControllerSettings settings_;
+};
+
+}  // namespace
+
+std::unique_ptr<Controller> makeSpeedController(const mechanism::Mechanism& mechanism,
+                                                const ControllerSettings& settings) {
+    return std::make_unique<SpeedController>(mechanism, settings);
+}
+
+std::unique_ptr<Controller> makeController(const mechanism::Mechanism& mechanism,
+                                           const ControllerSettings& settings) {
+    return settings.kind == project::ControllerKind::EqualTorque
+               ? makeEqualTorqueController(mechanism, settings)
+               : makeSpeedController(mechanism, settings);
+}
+
+}  // namespace simcore::control

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "simcore/control/controller.h"
+
+namespace simcore::control {
+
+/// Motor and gearbox of one wheel: follows a WheelCommand within torque and speed limits, at the
+/// engine's step.
+///
+/// The speed loop is semi-implicit: it anticipates how the free wheel's own inertia answers within
+/// the step, so that a lifted wheel does not oscillate at any step length.
+class WheelDrive {
+  public:
+    /// @param inertia  of the wheel and the reflected rotor about the axle [kg m^2]
+    WheelDrive(const mechanism::Wheel& wheel, double inertia);
+
+    void reset() { integral_ = 0.0; }
+
+    /// Torque for the next step [N m]. `rate`: wheel against carrier [rad/s].
+    double torque(const WheelCommand& command, double rate, double step);
+
+    /// What was asked for before limits, by the last call [N m].
+    double commanded() const { return commanded_; }
+
+  private:
+    double available(double torque, double rate) const;
+
+    double torqueLimit_;
+    double speedLimit_;
+    double inertia_;
+    double integral_ = 0.0;
+    double commanded_ = 0.0;
+};
+
+}  // namespace simcore::control

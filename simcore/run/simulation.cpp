@@ -1,0 +1,362 @@
+#include "simcore/run/simulation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "simcore/contact/wheel_contact.h"
+#include "simcore/control/controller.h"
+#include "simcore/control/wheel_drive.h"
+#include "simcore/dynamics/engine.h"
+#include "simcore/run/wheel_observer.h"
+
+namespace simcore::run {
+namespace {
+
+// A rover that gains less than this distance in this time is stuck (assumed) [m], [s].
+constexpr double kStuckDistance = 0.01;
+constexpr double kStuckTime = 10.0;
+// A body faster than this has blown up (assumed) [m/s].
+constexpr double kFastest = 100.0;
+// Below this rate rolling resistance fades, so that it does not push at rest [rad/s].
+constexpr double kRollingRate = 0.05;
+
+/// FNV-1a over the bytes of the engine's state.
+std::string hashOf(const std::vector<double>& numbers, long steps) {
+    std::uint64_t hash = 14695981039346656037ULL;
+    const auto add = [&hash](const void* data, std::size_t size) {
+        const auto* bytes = static_cast<const unsigned char*>(data);
+        for (std::size_t i = 0; i < size; ++i) {
+            hash = (hash ^ bytes[i]) * 1099511628211ULL;
+        }
+    };
+    add(numbers.data(), numbers.size() * sizeof(double));
+    add(&steps, sizeof steps);
+    return fmt::format("{:016x}", hash);
+}
+
+control::ControllerSettings controllerSettings(const ResolvedRun& run) {
+    control::ControllerSettings settings;
+    settings.kind = run.controller;
+    settings.assumedFriction = run.assumedFriction;
+    settings.period = run.controlPeriod;
+    settings.proportional = run.proportional;
+    settings.integral = run.integral;
+    settings.derivative = run.derivative;
+    return settings;
+}
+
+double axleInertia(const mechanism::Mechanism& mechanism, const mechanism::Wheel& wheel) {
+    const Mat3& inertia = mechanism.bodies[static_cast<std::size_t>(wheel.body)].inertia;
+    return wheel.axis.dot(inertia * wheel.axis) + wheel.rotorInertia;
+}
+
+}  // namespace
+
+struct Simulation::Impl {
+    explicit Impl(ResolvedRun settings);
+
+    void reset();
+    void step();
+    void control();
+    void applyDrives();
+    void updateSnapshot();
+    void measure();
+    void checkEnd();
+    std::string blownUpBody() const;
+    control::DriveCommand driveCommand() const;
+    double endTime() const;
+
+    bool manual() const { return run.controller == project::ControllerKind::Manual; }
+
+    ResolvedRun run;
+    std::unique_ptr<dynamics::Engine> engine;
+    contact::WheelContactFinder contactFinder;
+    std::unique_ptr<control::Controller> controller;
+    std::vector<control::WheelDrive> drives;
+    WheelObserver observer;
+    FrictionMeter friction;
+
+    ManualCommand manualCommand;
+    control::Sensors sensors;
+    std::vector<control::WheelCommand> commands;
+    std::vector<double> torques;
+    std::vector<double> resistances;
+    std::vector<Pose> before;
+    std::vector<contact::Contact> contacts;
+    long controlTicks = 0;
+
+    Snapshot now;
+    StopReason reason = StopReason::Running;
+    std::string detail;
+    std::vector<WheelReport> wheels;
+    std::vector<double> loadSums;
+    double energy = 0.0;
+    double loopErrorMax = 0.0;
+    double penetrationMax = 0.0;
+    double wallTime = 0.0;
+    double progressX = 0.0;
+    double progressTime = 0.0;
+};
+
+Simulation::Impl::Impl(ResolvedRun settings)
+    : run(std::move(settings)),
+      engine(dynamics::makeOdeEngine(run.mechanism, {run.step, dynamics::kGravity})),
+      contactFinder(run.mechanism, *run.terrain),
+      controller(control::makeController(run.mechanism, controllerSettings(run))),
+      observer(run.mechanism, run.step),
+      friction(run.mechanism, *run.terrain, run.friction) {
+    for (const mechanism::Wheel& wheel : run.mechanism.wheels) {
+        drives.emplace_back(wheel, axleInertia(run.mechanism, wheel));
+    }
+    reset();
+}
+
+void Simulation::Impl::reset() {
+    const std::size_t count = run.mechanism.wheels.size();
+    engine->reset();
+    controller->reset();
+    for (control::WheelDrive& drive : drives) {
+        drive.reset();
+    }
+    observer.reset();
+    friction.reset();
+    manualCommand = {};
+    sensors = {};
+    sensors.wheels.assign(count, {});
+    commands.assign(count, {});
+    torques.assign(count, 0.0);
+    resistances.assign(count, 0.0);
+    controlTicks = 0;
+    now = {};
+    now.wheels.assign(count, {});
+    reason = StopReason::Running;
+    detail.clear();
+    wheels.assign(count, {});
+    for (std::size_t i = 0; i < count; ++i) {
+        wheels[i].name = run.mechanism.wheels[i].name;
+    }
+    loadSums.assign(count, 0.0);
+    energy = loopErrorMax = penetrationMax = wallTime = progressX = progressTime = 0.0;
+    updateSnapshot();
+}
+
+control::DriveCommand Simulation::Impl::driveCommand() const {
+    control::DriveCommand command;
+    command.brake = now.time < run.settle - 0.5 * run.step;
+    if (manual()) {
+        command.speed = manualCommand.speed;
+        command.turn = manualCommand.turn;
+        return command;
+    }
+    const double share = run.ramp > 0.0 ? (now.time - run.settle) / run.ramp : 1.0;
+    command.speed = run.speed * std::clamp(share, 0.0, 1.0);
+    return command;
+}
+
+void Simulation::Impl::control() {
+    // Zero-order hold at the controller's own period, whatever the engine's step.
+    if (now.time < static_cast<double>(controlTicks) * run.controlPeriod - 0.5 * run.step) {
+        return;
+    }
+    ++controlTicks;
+    const auto chassis = static_cast<std::size_t>(run.mechanism.chassis);
+    sensors.bodySpeed = now.speed;
+    sensors.yawRate = engine->velocities()[chassis].angular.z();
+    for (std::size_t i = 0; i < sensors.wheels.size(); ++i) {
+        const mechanism::Wheel& wheel = run.mechanism.wheels[i];
+        const auto body = static_cast<std::size_t>(wheel.body);
+        const Vec3 axis = engine->poses()[body].rotation * wheel.axis;
+        const Vec3 relative = engine->velocities()[body].angular -
+                              engine->velocities()[static_cast<std::size_t>(wheel.carrier)].angular;
+        sensors.wheels[i] = {axis.dot(relative), now.wheels[i].normalForce,
+                             now.wheels[i].contactAngle};
+    }
+    controller->update(sensors, driveCommand(), commands);
+}
+
+void Simulation::Impl::applyDrives() {
+    for (std::size_t i = 0; i < drives.size(); ++i) {
+        const mechanism::Wheel& wheel = run.mechanism.wheels[i];
+        const auto body = static_cast<std::size_t>(wheel.body);
+        const Vec3 axis = engine->poses()[body].rotation * wheel.axis;
+        const double absolute = axis.dot(engine->velocities()[body].angular);
+        const double relative =
+            absolute -
+            axis.dot(engine->velocities()[static_cast<std::size_t>(wheel.carrier)].angular);
+        torques[i] = drives[i].torque(commands[i], relative, run.step);
+        // Rolling resistance, moment = c N R against the absolute turn (paper, section 4), with the
+        // load of the last step.
+        resistances[i] = -run.rollingResistance * now.wheels[i].normalForce * wheel.radius *
+                         std::tanh(absolute / kRollingRate);
+        now.wheels[i].torqueCommanded = drives[i].commanded();
+        now.wheels[i].torqueApplied = torques[i];
+        const double work = std::max(0.0, torques[i] * relative) * run.step;
+        energy += work;
+        wheels[i].energy += work;
+        wheels[i].maxTorque = std::max(wheels[i].maxTorque, std::abs(torques[i]));
+    }
+}
+
+void Simulation::Impl::step() {
+    const auto start = std::chrono::steady_clock::now();
+    control();
+    applyDrives();
+    before = engine->poses();
+    contacts = contactFinder.find(before);
+    const std::vector<double> lastGood = engine->saveState();
+    engine->step({torques, resistances, contacts, run.friction});
+    if (std::string body = blownUpBody(); !body.empty()) {
+        engine->restoreState(lastGood);
+        reason = StopReason::NonFinite;
+        detail = "body " + body;
+    } else {
+        ++now.step;
+        now.time = static_cast<double>(now.step) * run.step;
+        measure();
+        updateSnapshot();
+        checkEnd();
+    }
+    wallTime += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string Simulation::Impl::blownUpBody() const {
+    for (std::size_t i = 0; i < run.mechanism.bodies.size(); ++i) {
+        const Pose& pose = engine->poses()[i];
+        const dynamics::BodyVelocity& velocity = engine->velocities()[i];
+        const bool finite = pose.position.allFinite() && pose.rotation.coeffs().allFinite() &&
+                            velocity.linear.allFinite() && velocity.angular.allFinite();
+        if (!finite || velocity.linear.norm() > kFastest) {
+            return run.mechanism.bodies[i].name;
+        }
+    }
+    return {};
+}
+
+void Simulation::Impl::measure() {
+    const bool count = now.time > run.settle + run.ramp;
+    observer.observe(*engine, before, contacts, count, now.wheels);
+    if (now.time > run.settle) {
+        friction.observe(contacts, engine->contactForces());
+        loopErrorMax = std::max(loopErrorMax, dynamics::loopError(run.mechanism, engine->poses()));
+        for (const contact::Contact& contact : contacts) {
+            penetrationMax = std::max(penetrationMax, contact.depth);
+        }
+    }
+    for (std::size_t i = 0; i < wheels.size(); ++i) {
+        const WheelState& state = now.wheels[i];
+        wheels[i].slipAbs = state.slipAbs;
+        wheels[i].slipSigned = state.slipSigned;
+        wheels[i].slipLateral = state.slipLateral;
+        if (count) {
+            wheels[i].airTime += state.touching ? 0.0 : run.step;
+            loadSums[i] += state.normalForce * run.step;
+        }
+    }
+}
+
+void Simulation::Impl::updateSnapshot() {
+    const auto chassis = static_cast<std::size_t>(run.mechanism.chassis);
+    now.bodies = engine->poses();
+    now.centerOfMass = run.mechanism.centerOfMass(now.bodies);
+    const Pose& pose = now.bodies[chassis];
+    now.distance = pose.position.x();
+    now.speed = (pose.rotation * Vec3::UnitX()).dot(engine->velocities()[chassis].linear);
+}
+
+double Simulation::Impl::endTime() const {
+    if (run.duration > 0.0) {
+        return run.duration;
+    }
+    // 60 % more than the drive takes without slip.
+    return run.settle + run.ramp + 1.0 + 1.6 * run.distance / std::max(std::abs(run.speed), 1e-3);
+}
+
+void Simulation::Impl::checkEnd() {
+    const double travelled = (run.speed < 0.0 && !manual() ? -1.0 : 1.0) * now.distance;
+    if (travelled >= run.distance) {
+        reason = StopReason::Completed;
+    } else if (now.time > endTime() - 0.5 * run.step && !(manual() && run.duration <= 0.0)) {
+        reason = StopReason::TimeUp;
+    } else if (travelled > progressX + kStuckDistance || manual() || run.speed == 0.0) {
+        progressX = travelled;
+        progressTime = now.time;
+    } else if (now.time - std::max(progressTime, run.settle + run.ramp) > kStuckTime) {
+        reason = StopReason::Stuck;
+        detail =
+            fmt::format("less than {:.0f} mm gained in {:.0f} s", 1e3 * kStuckDistance, kStuckTime);
+    }
+    if (reason != StopReason::Running) {
+        observer.closeWindow(now.wheels);
+        for (std::size_t i = 0; i < wheels.size(); ++i) {
+            wheels[i].slipAbs = now.wheels[i].slipAbs;
+            wheels[i].slipSigned = now.wheels[i].slipSigned;
+            wheels[i].slipLateral = now.wheels[i].slipLateral;
+        }
+    }
+}
+
+Simulation::Simulation(ResolvedRun run) : impl_(std::make_unique<Impl>(std::move(run))) {}
+
+Simulation::~Simulation() = default;
+
+void Simulation::reset() {
+    impl_->reset();
+}
+
+void Simulation::step() {
+    if (!finished()) {
+        impl_->step();
+    }
+}
+
+bool Simulation::finished() const {
+    return impl_->reason != StopReason::Running;
+}
+
+void Simulation::setManualCommand(const ManualCommand& command) {
+    impl_->manualCommand = command;
+}
+
+const ResolvedRun& Simulation::settings() const {
+    return impl_->run;
+}
+
+const Snapshot& Simulation::snapshot() const {
+    return impl_->now;
+}
+
+RunReport Simulation::report() const {
+    const Impl& s = *impl_;
+    RunReport report;
+    report.engine = s.engine->name();
+    report.scenario = s.run.scenario;
+    report.step = s.run.step;
+    report.steps = s.now.step;
+    report.simTime = s.now.time;
+    report.wallTime = s.wallTime;
+    report.rtf = s.wallTime > 0.0 ? s.now.time / s.wallTime : 0.0;
+    report.completed = s.reason == StopReason::Completed ||
+                       (s.reason == StopReason::TimeUp && s.run.duration > 0.0);
+    report.stopReason = s.reason;
+    report.stopDetail = s.detail;
+    report.distance = s.now.distance;
+    report.wheels = s.wheels;
+    const double counted = s.now.time - s.run.settle - s.run.ramp;
+    for (std::size_t i = 0; i < report.wheels.size(); ++i) {
+        report.slipAbs += report.wheels[i].slipAbs;
+        report.slipSigned += report.wheels[i].slipSigned;
+        report.wheels[i].meanNormalForce = counted > 0.0 ? s.loadSums[i] / counted : 0.0;
+    }
+    report.energy = s.energy;
+    report.stateHash = hashOf(s.engine->saveState(), s.now.step);
+    report.frictionViolationPercent = s.friction.violationPercent();
+    report.loopErrorMax = s.loopErrorMax;
+    report.penetrationMax = s.penetrationMax;
+    return report;
+}
+
+}  // namespace simcore::run

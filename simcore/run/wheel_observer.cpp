@@ -1,0 +1,189 @@
+#include "simcore/run/wheel_observer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace simcore::run {
+namespace {
+
+// Standstill guard of the slip ratio [m/s].
+constexpr double kSlowest = 0.01;
+
+}  // namespace
+
+WheelObserver::WheelObserver(const mechanism::Mechanism& mechanism, double step)
+    : mechanism_(mechanism),
+      step_(step) {
+    reset();
+}
+
+void WheelObserver::reset() {
+    windowTime_ = 0.0;
+    windows_.assign(mechanism_.wheels.size(), {});
+    frames_.assign(mechanism_.wheels.size(), {});
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        frames_[i].effectiveRadius = mechanism_.wheels[i].radius;
+    }
+}
+
+void WheelObserver::observeContact(std::size_t wheel, const Pose& pose,
+                                   std::span<const contact::Contact> contacts,
+                                   std::span<const Vec3> forces, WheelState& state) {
+    const mechanism::Wheel& w = mechanism_.wheels[wheel];
+    const Vec3 axis = pose.rotation * w.axis;
+    const Vec3 center = pose * w.center;
+    Vec3 normalSum = Vec3::Zero();
+    Vec3 pointSum = Vec3::Zero();
+    Vec3 force = Vec3::Zero();
+    double load = 0.0;
+    double radiusSum = 0.0;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        if (contacts[i].wheel != static_cast<int>(wheel)) {
+            continue;
+        }
+        const double n = std::max(0.0, forces[i].dot(contacts[i].normal));
+        const Vec3 arm = contacts[i].point - center;
+        normalSum += n * contacts[i].normal;
+        pointSum += n * contacts[i].point;
+        radiusSum += n * (arm - arm.dot(axis) * axis).norm();
+        force += forces[i];
+        load += n;
+    }
+    RollingFrame& frame = frames_[wheel];
+    state.touching = load > 0.0 && normalSum.norm() > 1e-9 * load;
+    state.force = force;
+    if (state.touching) {
+        frame.normal = normalSum.normalized();
+        frame.effectiveRadius = radiusSum / load;
+        state.contactPoint = pointSum / load;
+        const Vec3 forward = axis.cross(Vec3::UnitZ()).normalized();
+        const Vec3 up = forward.cross(axis);
+        frame.angle = std::atan2(-frame.normal.dot(forward), frame.normal.dot(up));
+    }
+    state.contactAngle = frame.angle;
+    const Vec3 tangent = axis.cross(frame.normal).normalized();
+    state.normalForce = load;
+    state.tractionForce = force.dot(tangent);
+    state.lateralForce = force.dot(axis);
+}
+
+void WheelObserver::observeMotion(std::size_t wheel, const Pose& before, const Pose& after,
+                                  const dynamics::BodyVelocity& velocity, bool countSlip,
+                                  WheelState& state) {
+    const mechanism::Wheel& w = mechanism_.wheels[wheel];
+    const RollingFrame& frame = frames_[wheel];
+    const Vec3 axis = before.rotation * w.axis;
+    const Vec3 tangent = axis.cross(frame.normal).normalized();
+    const Vec3 moved = after * w.center - before * w.center;
+    // Absolute turn of the wheel, so that a pitching carrier is not read as slip.
+    const Eigen::Quaterniond turned = after.rotation * before.rotation.conjugate();
+    const double turn = 2.0 * std::atan2(axis.dot(turned.vec()), turned.w());
+    const double slip = moved.dot(tangent) - turn * frame.effectiveRadius;  // paper eq. 5
+    state.rate = axis.dot(velocity.angular);
+    state.centerSpeed = moved.dot(tangent) / step_;
+    const double rim = state.rate * frame.effectiveRadius;
+    state.slipRatio = (rim - state.centerSpeed) /
+                      std::max({std::abs(rim), std::abs(state.centerSpeed), kSlowest});
+    if (countSlip) {
+        windows_[wheel].slip += slip;
+        windows_[wheel].lateral += moved.dot(axis);
+    }
+}
+
+void WheelObserver::observe(const dynamics::Engine& engine, const std::vector<Pose>& before,
+                            std::span<const contact::Contact> contacts, bool countSlip,
+                            std::vector<WheelState>& states) {
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const auto body = static_cast<std::size_t>(mechanism_.wheels[i].body);
+        observeContact(i, before[body], contacts, engine.contactForces(), states[i]);
+        observeMotion(i, before[body], engine.poses()[body], engine.velocities()[body], countSlip,
+                      states[i]);
+    }
+    if (countSlip) {
+        windowTime_ += step_;
+        if (windowTime_ > kSlipWindow - 0.5 * step_) {
+            closeWindow(states);
+        }
+    }
+}
+
+void WheelObserver::closeWindow(std::vector<WheelState>& states) {
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        states[i].slipAbs += std::abs(windows_[i].slip);
+        states[i].slipSigned += windows_[i].slip;
+        states[i].slipLateral += std::abs(windows_[i].lateral);
+        windows_[i] = {};
+    }
+    windowTime_ = 0.0;
+}
+
+FrictionMeter::FrictionMeter(const mechanism::Mechanism& mechanism, const terrain::Terrain& terrain,
+                             double friction)
+    : friction_(friction),
+      obstacles_(terrain.obstacleRange()) {
+    constexpr double kLoadedShare = 0.02;
+    const auto wheels = static_cast<double>(std::max<std::size_t>(1, mechanism.wheels.size()));
+    smallestLoad_ = kLoadedShare * mechanism.mass() * dynamics::kGravity / wheels;
+}
+
+void FrictionMeter::reset() {
+    started_ = false;
+    certain_ = {};
+    pending_ = {};
+}
+
+bool FrictionMeter::onObstacle(std::span<const contact::Contact> contacts) const {
+    if (obstacles_.first > obstacles_.second) {
+        return true;  // flat ground: the whole run counts
+    }
+    return std::any_of(contacts.begin(), contacts.end(), [&](const contact::Contact& c) {
+        return c.point.x() >= obstacles_.first && c.point.x() <= obstacles_.second;
+    });
+}
+
+void FrictionMeter::observe(std::span<const contact::Contact> contacts,
+                            std::span<const Vec3> forces) {
+    const bool obstacle = onObstacle(contacts);
+    if (!started_ && !obstacle) {
+        return;
+    }
+    started_ = true;
+    // A patch is all contacts of one wheel on one face: the slices' contacts with like normals.
+    constexpr double kSameFace = 0.95;  // cosine
+    std::vector<bool> used(contacts.size(), false);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        if (used[i]) {
+            continue;
+        }
+        double load = 0.0;
+        Vec3 tangential = Vec3::Zero();
+        for (std::size_t k = i; k < contacts.size(); ++k) {
+            const Vec3& normal = contacts[k].normal;
+            if (used[k] || contacts[k].wheel != contacts[i].wheel ||
+                normal.dot(contacts[i].normal) < kSameFace) {
+                continue;
+            }
+            used[k] = true;
+            const double n = forces[k].dot(normal);
+            load += n;
+            tangential += forces[k] - n * normal;
+        }
+        if (load > smallestLoad_) {
+            ++pending_.patches;
+            pending_.outside += tangential.norm() > 1.1 * friction_ * load + 0.2 ? 1 : 0;
+        }
+    }
+    if (obstacle) {
+        certain_.patches += pending_.patches;
+        certain_.outside += pending_.outside;
+        pending_ = {};
+    }
+}
+
+double FrictionMeter::violationPercent() const {
+    return certain_.patches > 0 ? 100.0 * static_cast<double>(certain_.outside) /
+                                      static_cast<double>(certain_.patches)
+                                : 0.0;
+}
+
+}  // namespace simcore::run
