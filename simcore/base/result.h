@@ -37,7 +37,9 @@ class [[nodiscard]] Result {
 
     const T& operator*() const { return value_.value(); }
 
-    const Problems& problems() const { return problems_; }
+    const Problems& problems() const& { return problems_; }
+
+    Problems problems() && { return std::move(problems_); }
 
   private:
     std::optional<T> value_;

@@ -113,7 +113,8 @@ bool isParameterName(const std::string& name) {
     }
     static const std::set<std::string> reserved = [] {
         std::set<std::string> names{"pi", "_pi", "_e"};
-        for (const auto& function : mu::Parser().GetFunDef()) {
+        const mu::Parser parser;
+        for (const auto& function : parser.GetFunDef()) {
             names.insert(function.first);
         }
         return names;

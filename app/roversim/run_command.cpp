@@ -1,0 +1,180 @@
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "app/roversim/commands.h"
+#include "simcore/io/csv.h"
+#include "simcore/io/json_format.h"
+#include "simcore/io/mobility_json.h"
+#include "simcore/io/run_report_json.h"
+#include "simcore/project/names.h"
+#include "simcore/run/sampler.h"
+#include "simcore/run/simulation.h"
+
+namespace roversim {
+
+using namespace simcore;
+
+namespace {
+
+struct Options {
+    std::string file;
+    std::string scenario;
+    std::string controller;
+    std::optional<double> friction;
+    std::optional<double> duration;
+    std::optional<double> step;
+    std::optional<int> seed;
+    std::vector<std::string> set;
+    std::string csv;
+    bool json = false;
+};
+
+run::RunRequest requestOf(const Options& options, std::vector<project::Assignment> assignments) {
+    run::RunRequest request;
+    request.scenario = options.scenario;
+    if (!options.controller.empty()) {
+        request.controller = project::fromName<project::ControllerKind>(options.controller);
+    }
+    request.friction = options.friction;
+    request.duration = options.duration;
+    request.step = options.step;
+    request.seed = options.seed;
+    request.assignments = std::move(assignments);
+    return request;
+}
+
+/// One line on a terminal, rewritten about five times a simulated second.
+class Progress {
+  public:
+    Progress() : shown_(isatty(STDERR_FILENO) != 0) {}
+
+    void update(const run::Simulation& simulation) {
+        const run::Snapshot& now = simulation.snapshot();
+        if (!shown_ || now.time < next_) {
+            return;
+        }
+        next_ = now.time + 0.2;
+        fmt::print(stderr, "\r{:7.1f} s  {:6.3f} of {:.3g} m ", now.time, now.distance,
+                   simulation.settings().distance);
+        std::fflush(stderr);
+    }
+
+    ~Progress() {
+        if (shown_) {
+            fmt::print(stderr, "\r{:40}\r", "");
+        }
+    }
+
+  private:
+    bool shown_;
+    double next_ = 0.0;
+};
+
+run::Recording drive(run::Simulation& simulation) {
+    run::Recording recording;
+    recording.channels = run::makeChannels(simulation.settings().mechanism);
+    run::Sampler sampler(simulation.settings().mechanism.chassis);
+    sampler.start(simulation.snapshot());
+    Progress progress;
+    while (!simulation.finished()) {
+        simulation.step();
+        sampler.take(simulation.snapshot());
+        progress.update(simulation);
+    }
+    sampler.finish(simulation.snapshot());
+    sampler.moveTo(recording.rows, recording.frames);
+    return recording;
+}
+
+void printTable(const run::RunReport& report) {
+    fmt::print("{} on {}: {}{}\n", report.engine, report.scenario, run::toString(report.stopReason),
+               report.stopDetail.empty() ? "" : " (" + report.stopDetail + ")");
+    fmt::print(
+        "  {:.3f} m in {:.2f} s simulated, {:.2f} s of work ({:.1f} x real time), {} steps of "
+        "{:.3g} ms\n",
+        report.distance, report.simTime, report.wallTime, report.rtf, report.steps,
+        1e3 * report.step);
+    fmt::print("  slip {:.4f} m absolute, {:.4f} m signed; drive energy {:.2f} J\n", report.slipAbs,
+               report.slipSigned, report.energy);
+    fmt::print("  friction violation {:.2f} %, loop error {:.2g} mm, penetration {:.3f} mm\n",
+               report.frictionViolationPercent, 1e3 * report.loopErrorMax,
+               1e3 * report.penetrationMax);
+    fmt::print("  state hash {}\n\n", report.stateHash);
+    fmt::print("  {:<22}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "wheel", "slip [mm]", "signed [mm]",
+               "load [N]", "torque [Nm]", "air [s]");
+    for (const run::WheelReport& wheel : report.wheels) {
+        fmt::print("  {:<22}{:>12.2f}{:>12.2f}{:>12.2f}{:>12.3f}{:>12.2f}\n", wheel.name,
+                   1e3 * wheel.slipAbs, 1e3 * wheel.slipSigned, wheel.meanNormalForce,
+                   wheel.maxTorque, wheel.airTime);
+    }
+}
+
+int runScenario(const Options& options) {
+    auto assignments = parseAssignments(options.set);
+    if (!assignments) {
+        return kWrongUse;
+    }
+    const auto project = loadOrComplain(options.file);
+    if (!project) {
+        return kAnswerIsNo;
+    }
+    const run::RunRequest request = requestOf(options, *assignments);
+    auto prepared = run::prepareRun(*project, request);
+    printProblems(options.file, prepared.problems());
+    if (!prepared) {
+        return kAnswerIsNo;
+    }
+    run::Simulation simulation(std::move(prepared).value());
+    const run::Recording recording = drive(simulation);
+    const run::RunReport report = simulation.report();
+    if (!options.csv.empty()) {
+        io::RecordingOrigin origin;
+        origin.projectName = project->rover.name;
+        origin.projectFile = options.file;
+        origin.assignments = *assignments;
+        if (const auto values = project::evaluateParameters(project->rover, {}, *assignments)) {
+            origin.parameters = *values;
+        }
+        const auto saved =
+            io::saveCsv(recording, simulation.settings(), report, origin, options.csv);
+        printProblems(options.csv, saved.problems());
+        if (!saved) {
+            return kAnswerIsNo;
+        }
+    }
+    if (options.json) {
+        auto document = io::jsonDocument("roverstudio-run-1");
+        document["rover"] = project->rover.name;
+        document.update(io::toJson(report));
+        fmt::print("{}", io::formatJson(document));
+    } else {
+        printTable(report);
+    }
+    return report.completed ? kGood : kAnswerIsNo;
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app, int& exitCode) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("run", "Drive a scenario and report slip and torque");
+    command->add_option("FILE", options->file, "Project file (.rover)")->required();
+    command->add_option("--scenario", options->scenario, "Scenario of the project")->required();
+    command->add_option("--controller", options->controller, "Controller instead of the scenario's")
+        ->check(CLI::IsMember(project::allNames<project::ControllerKind>()));
+    command->add_option("--mu", options->friction, "Friction coefficient")
+        ->check(CLI::Range(0.0, 5.0));
+    command->add_option("--duration", options->duration, "Simulated time [s]")
+        ->check(CLI::Range(1e-3, 1e5));
+    command->add_option("--dt", options->step, "Engine step [s]")->check(CLI::Range(1e-5, 0.02));
+    command->add_option("--seed", options->seed, "Seed of random terrain");
+    command->add_option("--set", options->set, "NAME=VALUE, set a parameter (may be repeated)")
+        ->allow_extra_args(false);
+    command->add_option("--csv", options->csv, "Write all channels to this file");
+    command->add_flag("--json", options->json, "Print JSON");
+    command->callback([options, &exitCode] { exitCode = runScenario(*options); });
+}
+
+}  // namespace roversim

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "simcore/base/problem.h"
+#include "simcore/mobility/mobility.h"
+
+namespace simcore::io {
+
+/// A mobility report as programs read it: keys `model bodies joints{f1..f5} gruebler columns
+/// constraint_rows rank mobility redundant removable_constraints[] redundant_set[]
+/// idle_freedoms[]`. docs/mobility.md defines them.
+nlohmann::ordered_json toJson(const mobility::Report& report);
+
+/// Problems as a list of `severity element reason remedy`.
+nlohmann::ordered_json toJson(const Problems& problems);
+
+/// An object with `schema` and `program_version`, the first keys of everything written.
+nlohmann::ordered_json jsonDocument(const std::string& schema);
+
+}  // namespace simcore::io

@@ -1,0 +1,218 @@
+#include "simcore/mobility/mobility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <Eigen/QR>
+
+#include "simcore/mobility/constraint_jacobian.h"
+
+namespace simcore::mobility {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+// Pivots below this share of the largest count as zero; rover Jacobians have a gap of 1e10 there.
+constexpr double kRankThreshold = 1e-9;
+// Shares below this are round-off.
+constexpr double kNoShare = 1e-8;
+constexpr double kNoMotion = 1e-9;
+
+/// Rank and both null spaces from one column-pivoted QR of J^T.
+struct Factorisation {
+    Index rank = 0;
+    double gap = 0.0;
+    MatrixXd motions;     ///< columns: free motions, orthonormal
+    MatrixXd selfStress;  ///< columns: self-stress states, orthonormal
+
+    explicit Factorisation(const MatrixXd& jacobian) {
+        const Index rows = jacobian.rows();
+        const Index columns = jacobian.cols();
+        Eigen::ColPivHouseholderQR<MatrixXd> qr;
+        qr.setThreshold(kRankThreshold);
+        qr.compute(jacobian.transpose());
+        rank = rows > 0 && columns > 0 ? qr.rank() : 0;
+        const auto pivot = [&](Index i) { return std::abs(qr.matrixQR()(i, i)); };
+        if (rank > 0) {
+            const bool hasNext = rank < std::min(rows, columns);
+            const double next = hasNext ? pivot(rank) : 0.0;
+            gap = next > 0.0 ? pivot(rank - 1) / next : std::numeric_limits<double>::infinity();
+        }
+        motions = MatrixXd::Zero(columns, columns - rank);
+        motions.bottomRows(columns - rank).setIdentity();
+        motions.applyOnTheLeft(qr.householderQ());
+
+        // J^T P = Q [R11 R12]: the self-stress states are P [-R11^-1 R12; 1].
+        const Index redundant = rows - rank;
+        MatrixXd basis(rows, redundant);
+        if (redundant > 0) {
+            basis.topRows(rank) = -qr.matrixQR().topRightCorner(rank, redundant);
+            qr.matrixQR()
+                .topLeftCorner(rank, rank)
+                .triangularView<Eigen::Upper>()
+                .solveInPlace(basis.topRows(rank));
+            basis.bottomRows(redundant).setIdentity();
+            const MatrixXd permuted = qr.colsPermutation() * basis;
+            const Eigen::HouseholderQR<MatrixXd> orthonormal(permuted);
+            basis = orthonormal.householderQ() * MatrixXd::Identity(rows, redundant);
+        }
+        selfStress = std::move(basis);
+    }
+};
+
+/// Indices of one removable set: rows whose removal leaves the rank, least wanted first.
+///
+/// A set of rows can go exactly when the self-stress states restricted to it are independent
+/// (matroid duality), so a greedy choice in order of priority finds the least wanted set.
+std::vector<std::size_t> chooseRedundantSet(const MatrixXd& selfStress,
+                                            const std::vector<Priority>& priorities) {
+    std::vector<std::size_t> order(priorities.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return static_cast<int>(priorities[a]) > static_cast<int>(priorities[b]);
+    });
+    std::vector<std::size_t> chosen;
+    MatrixXd basis(selfStress.cols(), selfStress.cols());
+    Index found = 0;
+    for (const std::size_t row : order) {
+        if (found == selfStress.cols()) {
+            break;
+        }
+        Eigen::VectorXd v = selfStress.row(static_cast<Index>(row)).transpose();
+        for (int pass = 0; pass < 2; ++pass) {  // twice is enough (Kahan, Parlett)
+            v -= basis.leftCols(found) * (basis.leftCols(found).transpose() * v);
+        }
+        if (v.norm() > 1e-6) {
+            basis.col(found++) = v.normalized();
+            chosen.push_back(row);
+        }
+    }
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+}
+
+std::vector<IdleFreedom> findIdle(const mechanism::Mechanism& mechanism, const MatrixXd& motions) {
+    if (motions.cols() == 0) {
+        return {};
+    }
+    std::vector<int> watched{mechanism.chassis};
+    for (const mechanism::Wheel& wheel : mechanism.wheels) {
+        watched.push_back(wheel.body);
+    }
+    MatrixXd visible(6 * static_cast<Index>(watched.size()), motions.cols());
+    for (std::size_t i = 0; i < watched.size(); ++i) {
+        visible.middleRows(6 * static_cast<Index>(i), 6) = motions.middleRows(6 * watched[i], 6);
+    }
+    Eigen::ColPivHouseholderQR<MatrixXd> qr(visible.transpose());
+    qr.setThreshold(kNoMotion);
+    // The free motions that those bodies do not see.
+    const Index idle = motions.cols() - qr.rank();
+    MatrixXd combination = MatrixXd::Zero(motions.cols(), idle);
+    combination.bottomRows(idle).setIdentity();
+    combination.applyOnTheLeft(qr.householderQ());
+    const MatrixXd hidden = motions * combination;
+    std::vector<IdleFreedom> found;
+    for (Index k = 0; k < idle; ++k) {
+        std::size_t most = 0;
+        double largest = -1.0;
+        for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+            const double size = hidden.col(k).segment<6>(6 * static_cast<Index>(b)).norm();
+            if (size > largest + 1e-12) {
+                largest = size;
+                most = b;
+            }
+        }
+        const Eigen::Matrix<double, 6, 1> v =
+            hidden.col(k).segment<6>(6 * static_cast<Index>(most)) / largest;
+        found.push_back({mechanism.bodies[most].name, v.tail<3>(), v.head<3>()});
+    }
+    return found;
+}
+
+void countJoints(const mechanism::Mechanism& mechanism, Model model, Report& report) {
+    const auto count = [&](std::size_t freedoms) {
+        ++report.joints;
+        if (freedoms >= 1 && freedoms <= 5) {
+            ++report.jointsByFreedom[freedoms - 1];
+        }
+    };
+    for (const mechanism::Joint& joint : mechanism.joints) {
+        count((model == Model::Built ? joint.built : joint.relaxed).size());
+    }
+    for (const mechanism::Wheel& wheel : mechanism.wheels) {
+        count(model == Model::Relaxed && wheel.relaxedLateral ? 4 : 3);
+    }
+    for (std::size_t i = 0; i < mechanism.gears.size(); ++i) {
+        count(5);
+    }
+}
+
+}  // namespace
+
+Report analyse(const mechanism::Mechanism& mechanism, Model model) {
+    const ConstraintJacobian jacobian = constraintJacobian(mechanism, model);
+    const Factorisation factors(jacobian.matrix);
+    Report report;
+    report.model = model;
+    report.bodies = static_cast<int>(mechanism.bodies.size());
+    countJoints(mechanism, model, report);
+    report.columns = static_cast<int>(jacobian.matrix.cols());
+    report.rows = static_cast<int>(jacobian.matrix.rows());
+    report.gruebler = report.columns - report.rows;
+    report.rank = static_cast<int>(factors.rank);
+    report.mobility = report.columns - report.rank;
+    report.redundant = report.rows - report.rank;
+    report.rankGap = factors.gap;
+    std::vector<ConstraintName> named = jacobian.names;
+    for (std::size_t i = 0; i < named.size(); ++i) {
+        named[i].share = factors.selfStress.row(static_cast<Index>(i)).squaredNorm();
+        if (named[i].share > kNoShare) {
+            report.removable.push_back(named[i]);
+        }
+    }
+    std::stable_sort(
+        report.removable.begin(), report.removable.end(),
+        [](const ConstraintName& a, const ConstraintName& b) { return a.share > b.share + 1e-9; });
+    for (const std::size_t row : chooseRedundantSet(factors.selfStress, jacobian.priorities)) {
+        report.redundantSet.push_back(named[row]);
+    }
+    report.idle = findIdle(mechanism, factors.motions);
+    return report;
+}
+
+std::string describe(const Report& report) {
+    std::string text;
+    const auto plural = [](int n) { return n == 1 ? "" : "s"; };
+    if (report.mobility == 0) {
+        text = "Cannot move: the constraints hold every body.";
+    } else if (report.mobility == 1) {
+        text = "Moves with one freedom, as a rover on its wheels should.";
+    } else {
+        text = fmt::format("Moves with {} freedoms.", report.mobility);
+    }
+    if (report.redundant > 0) {
+        text += fmt::format(
+            " Hyperstatic: {} constraint{} repeat{} what others already hold, so {} reaction{} "
+            "cannot be told from statics and inaccurate parts strain each other.",
+            report.redundant, plural(report.redundant), report.redundant == 1 ? "s" : "",
+            report.redundant == 1 ? "that" : "their", report.redundant == 1 ? "" : "s");
+    } else {
+        text += " Statically determinate: every reaction follows from the loads.";
+    }
+    if (report.gruebler != report.mobility) {
+        text += fmt::format(" The Grübler count says {}; it cannot see that {}.", report.gruebler,
+                            "some constraints are redundant in this geometry");
+    }
+    if (!report.idle.empty()) {
+        const int idle = static_cast<int>(report.idle.size());
+        text += fmt::format(" {} of the freedoms {} idle: neither chassis nor wheels move.", idle,
+                            idle == 1 ? "is" : "are");
+    }
+    return text;
+}
+
+}  // namespace simcore::mobility
