@@ -101,7 +101,8 @@ void printTable(const run::RunReport& report) {
     fmt::print("  friction violation {:.2f} %, loop error {:.2g} mm, penetration {:.3f} mm\n",
                report.frictionViolationPercent, 1e3 * report.loopErrorMax,
                1e3 * report.penetrationMax);
-    fmt::print("  state hash {}\n\n", report.stateHash);
+    fmt::print("  {:.2f} solves a step, {} solver messages; state hash {}\n\n",
+               report.solvesPerStep, report.solverMessages, report.stateHash);
     fmt::print("  {:<22}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "wheel", "slip [mm]", "signed [mm]",
                "load [N]", "torque [Nm]", "air [s]");
     for (const run::WheelReport& wheel : report.wheels) {

@@ -10,11 +10,21 @@ namespace {
 // A contact of the last step is the same one when it is on the same disc and this near [m].
 constexpr double kSameContact = 0.03;
 // Agreement asked of limits and normal forces: relative, and absolute [N].
-constexpr double kTolerance = 0.02;
+constexpr double kTolerance = 0.05;
 constexpr double kToleranceForce = 0.02;
 // Below this share of its limit a tangential force gives the box no direction.
 constexpr double kDirected = 0.3;
 constexpr std::size_t kNumbersPerMemory = 9;
+
+// The box's half width across its direction: its corners stand 2 % outside the cone.
+constexpr double kAcross = 0.2;
+// A wheel slides when its contact moves faster than this [m/s]; 1 % of the usual speed of travel.
+constexpr double kSliding = 1e-3;
+
+void setLimit(FrictionBox& box, double limit) {
+    box.along = limit;
+    box.across = kAcross * limit;
+}
 
 Vec3 tangentialPart(const Vec3& force, const Vec3& normal) {
     return force - force.dot(normal) * normal;
@@ -44,7 +54,7 @@ void FrictionBounds::begin(std::span<const contact::Contact> contacts, double fr
         box.direction = contacts[i].forward;
         if (const Remembered* old = recall(contacts[i])) {
             box.fromNormalForce = false;
-            box.along = box.across = friction * old->normalForce;
+            setLimit(box, friction * old->normalForce);
             const Vec3 tangential = tangentialPart(old->tangential, contacts[i].normal);
             if (tangential.norm() > kDirected * box.along && tangential.norm() > kToleranceForce) {
                 box.direction = tangential.normalized();
@@ -54,7 +64,7 @@ void FrictionBounds::begin(std::span<const contact::Contact> contacts, double fr
 }
 
 bool FrictionBounds::update(std::span<const contact::Contact> contacts,
-                            std::span<const Vec3> forces) {
+                            std::span<const Vec3> forces, std::span<const Vec3> velocities) {
     bool agree = true;
     ++updates_;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -69,17 +79,19 @@ bool FrictionBounds::update(std::span<const contact::Contact> contacts,
         const bool outside = size > limit + slack;
         const bool held = box.fromNormalForce || along > (1.0 - 1e-6) * box.along ||
                           across > (1.0 - 1e-6) * box.across;
-        const bool short_ = held && size < limit - slack;
+        const bool short_ = held && size < (1.0 - kTolerance) * limit - slack;
         const bool guessed = box.fromNormalForce && size > 0.5 * limit;
         if (outside || short_ || guessed) {
             agree = false;
         }
         // Later passes move half-way only, in case the fixed point is approached from both sides.
         const double step = box.fromNormalForce || updates_ < 3 ? 1.0 : 0.5;
-        box.along += step * (limit - box.along);
-        box.across = box.along;
+        setLimit(box, box.along + step * (limit - box.along));
         box.fromNormalForce = false;
-        if (size > kDirected * limit && size > kToleranceForce) {
+        const Vec3 sliding = tangentialPart(velocities[i], normal);
+        if (sliding.norm() > kSliding) {
+            box.direction = -sliding.normalized();
+        } else if (size > kDirected * limit && size > kToleranceForce) {
             box.direction = tangential.normalized();
         }
     }

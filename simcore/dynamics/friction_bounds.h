@@ -10,8 +10,9 @@
 /// ODE's direct solver fixes friction limits before it solves. Limits taken from a frictionless
 /// solve (its "approximation 1") leave a wheel that is pressed to a wall only by the friction of
 /// the others without grip. So limits are guessed from the last step and the step is solved again
-/// until they agree with the normal forces found: a fixed point. The friction box is turned so that
-/// its face touches the friction cone at the tangential force.
+/// until they agree with the normal forces found: a fixed point. The friction box is narrow and
+/// turned against the sliding direction, or along the tangential force of a wheel that sticks, so
+/// that it stands for the friction cone there.
 namespace simcore::dynamics {
 
 struct FrictionBox {
@@ -28,9 +29,10 @@ class FrictionBounds {
 
     const FrictionBox& box(std::size_t contact) const { return boxes_[contact]; }
 
-    /// Takes the forces found with the present boxes. True when they agree; else the boxes are
-    /// improved.
-    bool update(std::span<const contact::Contact> contacts, std::span<const Vec3> forces);
+    /// Takes the forces found with the present boxes and the wheels' velocities at the contacts
+    /// after the step. True when they agree; else the boxes are improved.
+    bool update(std::span<const contact::Contact> contacts, std::span<const Vec3> forces,
+                std::span<const Vec3> velocities);
     /// Remembers the forces of the accepted solve.
     void end(std::span<const contact::Contact> contacts, std::span<const Vec3> forces);
 

@@ -20,6 +20,8 @@ struct BodyState {
 };
 
 constexpr std::size_t kNumbersPerBody = 13;
+/// Compliance of friction [m/(N s)]: what a wheel creeps when it should stick.
+constexpr double kFrictionCompliance = 1e-9;
 /// Solves per step at most: the friction bounds must agree with the normal forces of this step.
 constexpr int kMaxPasses = 6;
 
@@ -50,7 +52,7 @@ class OdeEngine final : public Engine {
     void applyForces(const StepInput& input);
     void applySpring(const mechanism::Spring& spring);
     void makeContacts(const StepInput& input);
-    void readContactForces();
+    void readContacts(const StepInput& input);
     void updatePoses();
 
     const mechanism::Mechanism mechanism_;
@@ -64,6 +66,7 @@ class OdeEngine final : public Engine {
     std::vector<Pose> poses_;
     std::vector<BodyVelocity> velocities_;
     std::vector<Vec3> contactForces_;
+    std::vector<Vec3> contactVelocities_;
     EngineCounters counters_;
 };
 
@@ -208,7 +211,8 @@ void OdeEngine::makeContacts(const StepInput& input) {
         const contact::Contact& touch = input.contacts[i];
         const FrictionBox& box = bounds_.box(i);
         dContact c{};
-        c.surface.mode = dContactMu2 | dContactFDir1;
+        c.surface.mode = dContactMu2 | dContactFDir1 | dContactSlip1 | dContactSlip2;
+        c.surface.slip1 = c.surface.slip2 = kFrictionCompliance;
         if (box.fromNormalForce) {
             c.surface.mode |= dContactApprox1;
             c.surface.mu = c.surface.mu2 = input.friction;
@@ -229,10 +233,17 @@ void OdeEngine::makeContacts(const StepInput& input) {
     }
 }
 
-void OdeEngine::readContactForces() {
+void OdeEngine::readContacts(const StepInput& input) {
     contactForces_.resize(feedback_.size());
+    contactVelocities_.resize(feedback_.size());
     for (std::size_t i = 0; i < feedback_.size(); ++i) {
         contactForces_[i] = toVec3(feedback_[i].f1);
+        const contact::Contact& touch = input.contacts[i];
+        const int body = mechanism_.wheels[static_cast<std::size_t>(touch.wheel)].body;
+        const dBodyID wheel = bodies_[static_cast<std::size_t>(body)];
+        const Vec3 arm = touch.point - state_[static_cast<std::size_t>(body)].position;
+        contactVelocities_[i] =
+            toVec3(dBodyGetLinearVel(wheel)) + toVec3(dBodyGetAngularVel(wheel)).cross(arm);
     }
 }
 
@@ -247,10 +258,10 @@ void OdeEngine::step(const StepInput& input) {
         makeContacts(input);
         joints_->addStepJoints(world_.world(), world_.contactGroup(), settings_.step);
         dWorldStep(world_.world(), settings_.step);
-        readContactForces();
+        readContacts(input);
         dJointGroupEmpty(world_.contactGroup());
         ++counters_.passes;
-        const bool settled = bounds_.update(input.contacts, contactForces_);
+        const bool settled = bounds_.update(input.contacts, contactForces_, contactVelocities_);
         if (settled || pass == kMaxPasses) {
             break;
         }

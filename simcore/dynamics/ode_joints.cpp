@@ -119,7 +119,7 @@ int carrierOf(const mechanism::Mechanism& mechanism, const mechanism::Gear& gear
 constexpr double kSpiderMass = 1e-3;
 constexpr double kMeshRadius = 0.1;
 // Compliance that takes all force out of a mesh's unwanted normal row.
-constexpr double kNoForce = 1e12;
+constexpr double kNoForce = 1e3;
 // Share of the gear error corrected per step, as for all joints.
 constexpr double kErrorReduction = 0.2;
 

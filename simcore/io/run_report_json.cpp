@@ -50,6 +50,8 @@ Json toJson(const run::RunReport& report) {
     json["friction_violation_pct"] = number(report.frictionViolationPercent);
     json["loop_error_max_mm"] = number(1e3 * report.loopErrorMax);
     json["penetration_max_mm"] = number(1e3 * report.penetrationMax);
+    json["solves_per_step"] = number(report.solvesPerStep);
+    json["solver_messages"] = report.solverMessages;
     return json;
 }
 

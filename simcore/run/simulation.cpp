@@ -356,6 +356,12 @@ RunReport Simulation::report() const {
     report.frictionViolationPercent = s.friction.violationPercent();
     report.loopErrorMax = s.loopErrorMax;
     report.penetrationMax = s.penetrationMax;
+    const dynamics::EngineCounters& counters = s.engine->counters();
+    if (counters.steps > 0) {
+        report.solvesPerStep =
+            static_cast<double>(counters.passes) / static_cast<double>(counters.steps);
+    }
+    report.solverMessages = counters.solverMessages;
     return report;
 }
 

@@ -77,6 +77,8 @@ struct RunReport {
     double frictionViolationPercent = 0.0;
     double loopErrorMax = 0.0;    ///< [m]
     double penetrationMax = 0.0;  ///< [m]
+    double solvesPerStep = 0.0;   ///< passes until friction agrees with normal forces
+    long solverMessages = 0;      ///< complaints of the engine's solver
 };
 
 /// One run, stepped by its owner. Not thread safe: one thread makes, steps and destroys it.
