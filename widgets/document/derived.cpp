@@ -1,0 +1,23 @@
+#include "widgets/document/derived.h"
+
+namespace widgets {
+
+Derived derive(const simcore::project::Project& project) {
+    Derived derived;
+    derived.problems = simcore::project::validate(project);
+    auto parameters = simcore::project::evaluateParameters(project.rover);
+    if (!parameters) {
+        return derived;
+    }
+    derived.parameters = std::move(parameters).value();
+    auto mechanism = simcore::project::resolve(project.rover, derived.parameters);
+    if (!mechanism) {
+        return derived;
+    }
+    derived.mechanism = std::move(mechanism).value();
+    derived.built = analyse(*derived.mechanism, simcore::mobility::Model::Built);
+    derived.relaxed = analyse(*derived.mechanism, simcore::mobility::Model::Relaxed);
+    return derived;
+}
+
+}  // namespace widgets

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "simcore/mobility/mobility.h"
+#include "simcore/project/project.h"
+#include "simcore/project/resolve.h"
+
+namespace widgets {
+
+/// What follows from a project, worked out anew after every edit.
+struct Derived {
+    simcore::Problems problems;                    ///< all of them, worst first
+    simcore::project::ParameterValues parameters;  ///< empty when they cannot be valued
+    /// Absent while the rover has critical problems.
+    std::optional<simcore::mechanism::Mechanism> mechanism;
+    simcore::mobility::Report built, relaxed;  ///< of the mechanism, when there is one
+};
+
+Derived derive(const simcore::project::Project& project);
+
+}  // namespace widgets

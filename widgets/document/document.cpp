@@ -1,0 +1,153 @@
+#include "widgets/document/document.h"
+
+#include <QFileInfo>
+#include <QUndoCommand>
+#include <utility>
+
+#include "simcore/io/project_file.h"
+
+namespace widgets {
+
+using simcore::Problems;
+using simcore::project::Project;
+
+namespace {
+
+/// A chassis alone, and level ground to stand on.
+Project emptyProject() {
+    Project project;
+    project.rover.name = "rover";
+    simcore::project::Body chassis;
+    chassis.name = "chassis";
+    chassis.mass = 5.0;
+    chassis.com = {0.0, 0.0, 0.2};
+    simcore::project::Shape box;
+    box.center = {0.0, 0.0, 0.2};
+    box.size = {0.4, 0.3, 0.1};
+    box.color = "chassis";
+    chassis.shapes.push_back(box);
+    project.rover.bodies.push_back(chassis);
+    simcore::project::Scenario flat;
+    flat.name = "flat";
+    project.scenarios.push_back(flat);
+    return project;
+}
+
+}  // namespace
+
+/// Puts one project in the place of another.
+class ProjectCommand : public QUndoCommand {
+  public:
+    using ProjectPtr = Document::ProjectPtr;
+
+    ProjectCommand(Document* document, ProjectPtr next, const QString& text, QString mergeKey)
+        : QUndoCommand(text),
+          document_(document),
+          before_(document->project_),
+          after_(std::move(next)),
+          mergeKey_(std::move(mergeKey)),
+          mergeRun_(document->mergeRun_) {}
+
+    void undo() override { document_->show(before_); }
+
+    void redo() override { document_->show(after_); }
+
+    int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
+
+    bool mergeWith(const QUndoCommand* other) override {
+        const auto* next = static_cast<const ProjectCommand*>(other);
+        if (next->mergeKey_ != mergeKey_ || next->mergeRun_ != mergeRun_) {
+            return false;
+        }
+        after_ = next->after_;
+        setObsolete(*after_ == *before_);
+        return true;
+    }
+
+  private:
+    Document* document_;
+    ProjectPtr before_, after_;
+    QString mergeKey_;
+    int mergeRun_;
+};
+
+Document::Document(QObject* parent) : QObject(parent) {
+    connect(&undo_, &QUndoStack::cleanChanged, this,
+            [this](bool clean) { emit modifiedChanged(!clean); });
+    createNew();
+}
+
+void Document::edit(const QString& text, Project next, const QString& mergeKey) {
+    if (next == *project_) {
+        return;
+    }
+    undo_.push(
+        new ProjectCommand(this, std::make_shared<const Project>(std::move(next)), text, mergeKey));
+}
+
+void Document::endMerging() {
+    ++mergeRun_;
+}
+
+void Document::createNew() {
+    start(emptyProject(), {});
+}
+
+Problems Document::open(const QString& file) {
+    auto project = simcore::io::loadProject(file.toStdString());
+    if (!project) {
+        return project.problems();
+    }
+    start(std::move(project).value(), QFileInfo(file).absoluteFilePath());
+    return {};
+}
+
+Problems Document::openCopy(const QString& file) {
+    auto project = simcore::io::loadProject(file.toStdString());
+    if (!project) {
+        return project.problems();
+    }
+    start(std::move(project).value(), {});
+    return {};
+}
+
+Problems Document::saveAs(const QString& file) {
+    Problems problems = saveCopy(file);
+    if (problems.empty()) {
+        file_ = QFileInfo(file).absoluteFilePath();
+        undo_.setClean();
+        endMerging();
+        emit fileChanged();
+    }
+    return problems;
+}
+
+Problems Document::saveCopy(const QString& file) const {
+    return simcore::io::saveProject(*project_, file.toStdString()).problems();
+}
+
+void Document::recover(Project project, const QString& file) {
+    start(std::move(project), file);
+    undo_.resetClean();
+}
+
+QString Document::displayName() const {
+    return file_.isEmpty() ? tr("Untitled") : QFileInfo(file_).fileName();
+}
+
+void Document::show(ProjectPtr project) {
+    project_ = std::move(project);
+    derived_ = derive(*project_);
+    emit changed();
+}
+
+void Document::start(Project project, const QString& file) {
+    undo_.clear();
+    undo_.setClean();
+    endMerging();
+    file_ = file;
+    show(std::make_shared<const Project>(std::move(project)));
+    emit fileChanged();
+}
+
+}  // namespace widgets

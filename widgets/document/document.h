@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <memory>
+
+#include "widgets/document/derived.h"
+
+namespace widgets {
+
+/// The project being edited, its file and its undo history.
+///
+/// A project is a value: every edit replaces the whole, undo puts the old one back. Nothing in the
+/// window keeps a project of its own; all of it follows changed().
+class Document : public QObject {
+    Q_OBJECT
+  public:
+    explicit Document(QObject* parent = nullptr);
+
+    const simcore::project::Project& project() const { return *project_; }
+
+    const Derived& derived() const { return derived_; }
+
+    QUndoStack& undoStack() { return undo_; }
+
+    /// Replaces the project, undoable as `text`. Edits that follow one another with the same
+    /// non-empty `mergeKey` (a slider's drag) become one step. Nothing happens when it is equal.
+    void edit(const QString& text, simcore::project::Project next, const QString& mergeKey = {});
+    /// The next edit starts a step of its own, whatever its key.
+    void endMerging();
+
+    /// An empty rover on flat ground, without a file.
+    void createNew();
+    /// Reads a file; on failure the present project stays and the problems tell why. The problems
+    /// of a project that was read are in derived().
+    simcore::Problems open(const QString& file);
+    /// Reads a file as a template: it becomes a project without a file.
+    simcore::Problems openCopy(const QString& file);
+    /// Writes to `file`, which becomes the document's; problems when it could not be written.
+    simcore::Problems saveAs(const QString& file);
+    /// Writes a copy and changes nothing.
+    simcore::Problems saveCopy(const QString& file) const;
+    /// Takes a project recovered from an autosaved copy: modified, belonging to `file`.
+    void recover(simcore::project::Project project, const QString& file);
+
+    /// Absolute path; empty when never saved.
+    QString file() const { return file_; }
+
+    /// File name, or "Untitled".
+    QString displayName() const;
+
+    bool isModified() const { return !undo_.isClean(); }
+
+  signals:
+    /// Project and derived values are new.
+    void changed();
+    void fileChanged();
+    void modifiedChanged(bool modified);
+
+  private:
+    friend class ProjectCommand;
+    using ProjectPtr = std::shared_ptr<const simcore::project::Project>;
+    void show(ProjectPtr project);
+    void start(simcore::project::Project project, const QString& file);
+
+    ProjectPtr project_;
+    Derived derived_;
+    QUndoStack undo_;
+    QString file_;
+    int mergeRun_ = 0;
+};
+
+}  // namespace widgets

@@ -1,0 +1,178 @@
+#include "widgets/editors/field_info.h"
+
+#include <QCoreApplication>
+#include <array>
+#include <cstring>
+
+namespace widgets {
+namespace {
+
+struct Entry {
+    const char* element;  ///< "" = any
+    const char* key;
+    const char* label;
+    const char* unit;
+    const char* tooltip;
+};
+
+/// First match counts.
+constexpr std::array kEntries{
+    Entry{"parameter", "unit", QT_TRANSLATE_NOOP("fields", "Display unit"), "",
+          QT_TRANSLATE_NOOP("fields", "Unit on the screen; files hold SI")},
+    Entry{"body", "mass", QT_TRANSLATE_NOOP("fields", "Mass"), "kg", ""},
+    Entry{"body", "com", QT_TRANSLATE_NOOP("fields", "Centre of mass"), "mm",
+          QT_TRANSLATE_NOOP("fields",
+                            "In the rover frame: x forward, y left, z up from the "
+                            "ground")},
+    Entry{"body", "inertia", QT_TRANSLATE_NOOP("fields", "Inertia"), "kg*m^2",
+          QT_TRANSLATE_NOOP("fields", "Ixx Iyy Izz Ixy Ixz Iyz about the centre of mass")},
+    Entry{"joint", "first", QT_TRANSLATE_NOOP("fields", "First body"), "",
+          QT_TRANSLATE_NOOP("fields", "The free directions are fixed to this body")},
+    Entry{"joint", "second", QT_TRANSLATE_NOOP("fields", "Second body"), "", ""},
+    Entry{"joint", "point", QT_TRANSLATE_NOOP("fields", "Point"), "mm", ""},
+    Entry{"joint", "axis", QT_TRANSLATE_NOOP("fields", "Pin axis"), "",
+          QT_TRANSLATE_NOOP("fields", "Direction; its length does not matter")},
+    Entry{"joint", "free", QT_TRANSLATE_NOOP("fields", "Free as built"), "",
+          QT_TRANSLATE_NOOP("fields",
+                            "Free directions, separated by commas: turn axis, slide "
+                            "axis, turn x, slide z, slide 1 0 1")},
+    Entry{"joint", "relaxed", QT_TRANSLATE_NOOP("fields", "Free, relaxed"), "",
+          QT_TRANSLATE_NOOP("fields", "Free directions in the relaxed model; empty = as built")},
+    Entry{"joint", "locked", QT_TRANSLATE_NOOP("fields", "Locked"), "",
+          QT_TRANSLATE_NOOP("fields", "A locked joint welds its two bodies")},
+    Entry{"joint", "stops", QT_TRANSLATE_NOOP("fields", "Stops"), "deg",
+          QT_TRANSLATE_NOOP("fields", "Turn about the pin axis; the drawn pose is 0")},
+    Entry{"joint", "damping", QT_TRANSLATE_NOOP("fields", "Damping"), "N*m*s/rad", ""},
+    Entry{"motor", "torque_limit", QT_TRANSLATE_NOOP("fields", "Torque limit"), "N*m", ""},
+    Entry{"motor", "speed_limit", QT_TRANSLATE_NOOP("fields", "Speed limit"), "rad/s", ""},
+    Entry{"motor", "rotor_inertia", QT_TRANSLATE_NOOP("fields", "Rotor inertia"), "kg*m^2",
+          QT_TRANSLATE_NOOP("fields", "Reflected to the wheel")},
+    Entry{"wheel", "body", QT_TRANSLATE_NOOP("fields", "Wheel's body"), "", ""},
+    Entry{"wheel", "axle", QT_TRANSLATE_NOOP("fields", "Axle"), "",
+          QT_TRANSLATE_NOOP("fields", "The joint the wheel turns on")},
+    Entry{"wheel", "grousers", QT_TRANSLATE_NOOP("fields", "Grousers"), "",
+          QT_TRANSLATE_NOOP("fields", "Drawn only")},
+    Entry{"wheel", "relaxed_lateral", QT_TRANSLATE_NOOP("fields", "Relaxed: free sideways"), "",
+          QT_TRANSLATE_NOOP("fields", "The relaxed model lets this contact slide sideways")},
+    Entry{"wheel", "steering", QT_TRANSLATE_NOOP("fields", "Steering joint"), "", ""},
+    Entry{"spring", "joint", QT_TRANSLATE_NOOP("fields", "On joint"), "",
+          QT_TRANSLATE_NOOP("fields", "A torsion spring about this joint; empty = between points")},
+    Entry{"spring", "first_point", QT_TRANSLATE_NOOP("fields", "First point"), "mm", ""},
+    Entry{"spring", "second_point", QT_TRANSLATE_NOOP("fields", "Second point"), "mm", ""},
+    Entry{"spring", "first", QT_TRANSLATE_NOOP("fields", "First body"), "", ""},
+    Entry{"spring", "second", QT_TRANSLATE_NOOP("fields", "Second body"), "", ""},
+    Entry{"spring", "stiffness", QT_TRANSLATE_NOOP("fields", "Stiffness"), "N/mm", ""},
+    Entry{"spring", "preload", QT_TRANSLATE_NOOP("fields", "Preload"), "N",
+          QT_TRANSLATE_NOOP("fields", "At the drawn pose; positive pushes apart")},
+    Entry{"spring", "damping", QT_TRANSLATE_NOOP("fields", "Damping"), "N*s/m", ""},
+    Entry{"gear", "first_joint", QT_TRANSLATE_NOOP("fields", "First joint"), "", ""},
+    Entry{"gear", "second_joint", QT_TRANSLATE_NOOP("fields", "Second joint"), "", ""},
+    Entry{"gear", "ratio", QT_TRANSLATE_NOOP("fields", "Ratio"), "",
+          QT_TRANSLATE_NOOP("fields", "turn(second) = ratio * turn(first)")},
+    Entry{"payload", "mass", QT_TRANSLATE_NOOP("fields", "Mass"), "kg", ""},
+    Entry{"payload", "position", QT_TRANSLATE_NOOP("fields", "Position"), "mm", ""},
+    Entry{"scenario", "variant", QT_TRANSLATE_NOOP("fields", "Variant"), "", ""},
+    Entry{"scenario", "terrain", QT_TRANSLATE_NOOP("fields", "Terrain"), "", ""},
+    Entry{"scenario", "soil", QT_TRANSLATE_NOOP("fields", "Soil"), "", ""},
+    Entry{"scenario", "controller", QT_TRANSLATE_NOOP("fields", "Controller"), "", ""},
+    Entry{"scenario", "run", QT_TRANSLATE_NOOP("fields", "Run"), "", ""},
+    Entry{"variant", "set", QT_TRANSLATE_NOOP("fields", "Parameters set"), "", ""},
+    Entry{"wheel", "motor", QT_TRANSLATE_NOOP("fields", "Motor"), "", ""},
+    Entry{"terrain", "start", QT_TRANSLATE_NOOP("fields", "Start"), "m",
+          QT_TRANSLATE_NOOP("fields", "x of the first feature")},
+    Entry{"terrain", "length", QT_TRANSLATE_NOOP("fields", "Length"), "m",
+          QT_TRANSLATE_NOOP("fields",
+                            "Step: of the top; stairs: of a tread; sinus: of a wave; "
+                            "ramp: of its run; random: of the whole")},
+    Entry{"terrain", "count", QT_TRANSLATE_NOOP("fields", "Number"), "",
+          QT_TRANSLATE_NOOP("fields", "Of steps, waves, bumps, features or particles")},
+    Entry{"terrain", "seed", QT_TRANSLATE_NOOP("fields", "Seed"), "",
+          QT_TRANSLATE_NOOP("fields", "Same seed, same terrain")},
+    Entry{"soil", "friction", QT_TRANSLATE_NOOP("fields", "Friction"), "",
+          QT_TRANSLATE_NOOP("fields", "Coulomb coefficient between wheel and ground")},
+    Entry{"soil", "rolling_resistance", QT_TRANSLATE_NOOP("fields", "Rolling resistance"), "",
+          QT_TRANSLATE_NOOP("fields", "c in: moment = c N R")},
+    Entry{"controller", "speed", QT_TRANSLATE_NOOP("fields", "Speed"), "m/s", ""},
+    Entry{"controller", "assumed_friction", QT_TRANSLATE_NOOP("fields", "Assumed friction"), "",
+          QT_TRANSLATE_NOOP("fields", "Torques are capped at this times N R; 0 = no cap")},
+    Entry{"controller", "period", QT_TRANSLATE_NOOP("fields", "Period"), "ms", ""},
+    Entry{"controller", "proportional", QT_TRANSLATE_NOOP("fields", "Gain P"), "",
+          QT_TRANSLATE_NOOP("fields", "0 = derived from the rover")},
+    Entry{"controller", "integral", QT_TRANSLATE_NOOP("fields", "Gain I"), "",
+          QT_TRANSLATE_NOOP("fields", "0 = derived from the rover")},
+    Entry{"controller", "derivative", QT_TRANSLATE_NOOP("fields", "Gain D"), "", ""},
+    Entry{"run", "step", QT_TRANSLATE_NOOP("fields", "Time step"), "ms", ""},
+    Entry{"run", "distance", QT_TRANSLATE_NOOP("fields", "Distance"), "m",
+          QT_TRANSLATE_NOOP("fields", "Travel that completes the run")},
+    Entry{"run", "duration", QT_TRANSLATE_NOOP("fields", "Longest time"), "s",
+          QT_TRANSLATE_NOOP("fields", "0 = from distance and speed")},
+    Entry{"run", "settle", QT_TRANSLATE_NOOP("fields", "Settling time"), "s", ""},
+    Entry{"run", "ramp", QT_TRANSLATE_NOOP("fields", "Ramp time"), "s", ""},
+    Entry{"run", "seed", QT_TRANSLATE_NOOP("fields", "Seed"), "", ""},
+    Entry{"", "name", QT_TRANSLATE_NOOP("fields", "Name"), "",
+          QT_TRANSLATE_NOOP("fields",
+                            "References follow when you rename; {side} stands for left "
+                            "and right")},
+    Entry{"", "mirror", QT_TRANSLATE_NOOP("fields", "Mirrored"), "",
+          QT_TRANSLATE_NOOP("fields", "A second one on the other side, y to -y")},
+    Entry{"", "body", QT_TRANSLATE_NOOP("fields", "Body"), "", ""},
+    Entry{"", "radius", QT_TRANSLATE_NOOP("fields", "Radius"), "mm", ""},
+    Entry{"", "width", QT_TRANSLATE_NOOP("fields", "Width"), "mm", ""},
+    Entry{"", "height", QT_TRANSLATE_NOOP("fields", "Height"), "mm", ""},
+    Entry{"", "slope", QT_TRANSLATE_NOOP("fields", "Slope"), "deg", ""},
+    Entry{"", "description", QT_TRANSLATE_NOOP("fields", "Description"), "", ""},
+    Entry{"", "kind", QT_TRANSLATE_NOOP("fields", "Kind"), "", ""},
+    Entry{"", "value", QT_TRANSLATE_NOOP("fields", "Value"), "", ""},
+    Entry{"", "minimum", QT_TRANSLATE_NOOP("fields", "Minimum"), "", ""},
+    Entry{"", "maximum", QT_TRANSLATE_NOOP("fields", "Maximum"), "", ""},
+    Entry{"", "meaning", QT_TRANSLATE_NOOP("fields", "Meaning"), "", ""},
+    Entry{"", "source", QT_TRANSLATE_NOOP("fields", "Source"), "", ""},
+    Entry{"", "shapes", QT_TRANSLATE_NOOP("fields", "Shapes"), "", ""},
+};
+
+QString translated(const char* text) {
+    return *text == '\0' ? QString() : QCoreApplication::translate("fields", text);
+}
+
+}  // namespace
+
+FieldInfo fieldInfo(const QString& element, const QString& key) {
+    for (const Entry& entry : kEntries) {
+        if (key == entry.key && (*entry.element == '\0' || element == entry.element)) {
+            return {translated(entry.label), entry.unit, translated(entry.tooltip), true};
+        }
+    }
+    return {key, {}, {}, true};
+}
+
+bool terrainUses(simcore::project::TerrainKind kind, const QString& key) {
+    using simcore::project::TerrainKind;
+    const auto any = [&](std::initializer_list<const char*> keys) {
+        for (const char* one : keys) {
+            if (key == one) {
+                return true;
+            }
+        }
+        return false;
+    };
+    switch (kind) {
+        case TerrainKind::Flat:
+            return any({"kind"});
+        case TerrainKind::Ramp:
+            return any({"kind", "start", "slope", "length"});
+        case TerrainKind::Step:
+            return any({"kind", "start", "height", "length"});
+        case TerrainKind::Stairs:
+        case TerrainKind::Sinus:
+            return any({"kind", "start", "height", "length", "count"});
+        case TerrainKind::Circle:
+            return any({"kind", "start", "radius", "height", "length", "count"});
+        case TerrainKind::RandomProfile:
+            return any({"kind", "start", "height", "length", "count", "seed"});
+        case TerrainKind::Particles:
+            break;
+    }
+    return any({"kind", "start", "radius", "length", "count", "seed"});
+}
+
+}  // namespace widgets

@@ -1,0 +1,609 @@
+#include "widgets/editors/property_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+#include <utility>
+
+#include "simcore/project/fields.h"
+#include "simcore/project/names.h"
+#include "widgets/editors/field_info.h"
+#include "widgets/editors/quantity_field.h"
+
+namespace widgets {
+
+using simcore::Problems;
+using simcore::project::ElementKind;
+using simcore::project::ElementRef;
+using simcore::project::Project;
+using simcore::project::Quantity;
+
+namespace {
+
+/// Combo boxes and spin boxes of a scrolling panel leave the wheel to the panel.
+template <class Base>
+class Unwheeled : public Base {
+  public:
+    using Base::Base;
+
+  protected:
+    void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+};
+
+/// Finds the element to edit in any copy of the project.
+template <class Element>
+using Access = std::function<Element&(Project&)>;
+
+QString joined(const std::vector<std::string>& texts) {
+    QStringList list;
+    for (const std::string& text : texts) {
+        list << QString::fromStdString(text);
+    }
+    return list.join(", ");
+}
+
+std::vector<std::string> separated(const QString& text) {
+    std::vector<std::string> texts;
+    for (const QString& part : text.split(',', Qt::SkipEmptyParts)) {
+        if (!part.trimmed().isEmpty()) {
+            texts.push_back(part.trimmed().toStdString());
+        }
+    }
+    return texts;
+}
+
+/// The kind of element a text field refers to; nothing for plain text.
+std::optional<ElementKind> referredKind(const QString& element, const QString& key) {
+    if (key == "first" || key == "second" || (key == "body" && element != "body")) {
+        return ElementKind::Body;
+    }
+    if (key == "axle" || key == "steering" || key == "joint" || key == "first_joint" ||
+        key == "second_joint") {
+        return ElementKind::Joint;
+    }
+    if (key == "variant") {
+        return ElementKind::Variant;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+/// Makes one row for every field of an element.
+class PropertyFormBuilder {
+  public:
+    PropertyFormBuilder(PropertyPanel* panel, QFormLayout* form)
+        : panel_(panel),
+          document_(panel->document_),
+          form_(form) {}
+
+    template <class Element>
+    void build(Access<Element> access) {
+        const Element& element = read(access);
+        const char* word = elementWord(&element);
+        Fields<Element> fields{*this, access, word};
+        describe(fields, static_cast<const Element*>(nullptr));
+    }
+
+  private:
+    /// Visitor of fields.h: the key and member of every field of one element.
+    template <class Element>
+    struct Fields {
+        PropertyFormBuilder& builder;
+        Access<Element> access;
+        QString word;
+
+        template <class Member>
+        void required(const char* key, Member Element::*member) {
+            add(key, member);
+        }
+
+        template <class Member>
+        void optional(const char* key, Member Element::*member) {
+            add(key, member);
+        }
+
+        template <class Member>
+        void add(const char* key, Member Element::*member) {
+            if constexpr (std::is_same_v<Element, simcore::project::Terrain>) {
+                if (!terrainUses(builder.read(access).kind, key)) {
+                    return;
+                }
+            }
+            FieldInfo info = fieldInfo(word, key);
+            if constexpr (std::is_same_v<Element, simcore::project::Parameter>) {
+                if (info.unit.isEmpty() &&
+                    (std::string_view(key) == "value" || std::string_view(key).ends_with("imum"))) {
+                    info.unit = QString::fromStdString(builder.read(access).unit);
+                }
+            }
+            if constexpr (std::is_same_v<Element, simcore::project::Spring>) {
+                builder.useTorsionUnits(builder.read(access), key, info);
+            }
+            const Access<Member> field = [access = access, member](Project& project) -> Member& {
+                return access(project).*member;
+            };
+            builder.row(word, key, info, field);
+        }
+    };
+
+    template <class T>
+    const T& read(const Access<T>& access) const {
+        // Accessors serve reading and writing; this one only reads.
+        return access(const_cast<Project&>(document_->project()));  // NOLINT
+    }
+
+    static void useTorsionUnits(const simcore::project::Spring& spring, const char* key,
+                                FieldInfo& info) {
+        if (spring.joint.empty()) {
+            return;
+        }
+        const std::string_view name = key;
+        if (name == "stiffness") {
+            info.unit = "N*m/rad";
+        } else if (name == "preload") {
+            info.unit = "N*m";
+        } else if (name == "damping") {
+            info.unit = "N*m*s/rad";
+        }
+    }
+
+    template <class T>
+    void set(const Access<T>& access, T value, const QString& label, const QString& mergeKey = {}) {
+        Project next = document_->project();
+        access(next) = std::move(value);
+        document_->edit(PropertyPanel::tr("Change %1").arg(label), std::move(next), mergeKey);
+    }
+
+    void addRow(const FieldInfo& info, QWidget* editor) {
+        auto* label = new QLabel(info.label);
+        label->setToolTip(info.tooltip);
+        label->setBuddy(editor);
+        if (editor->accessibleName().isEmpty()) {
+            editor->setAccessibleName(info.label);
+        }
+        if (editor->toolTip().isEmpty()) {
+            editor->setToolTip(info.tooltip);
+        }
+        form_->addRow(label, editor);
+    }
+
+    void onRefresh(std::function<void()> refresher) {
+        refresher();
+        panel_->refreshers_.push_back(std::move(refresher));
+    }
+
+    // One overload for every type of field.
+
+    void row(const QString& word, const char* key, const FieldInfo& info,
+             const Access<std::string>& field) {
+        if (std::string_view(key) == "name" && word != "override") {
+            nameRow(info, field);
+        } else if (const auto kind = referredKind(word, key)) {
+            referenceRow(info, field, *kind);
+        } else if (word == "override" && std::string_view(key) == "parameter") {
+            return;  // the row of the value carries the name
+        } else {
+            textRow(info, field);
+        }
+    }
+
+    void nameRow(const FieldInfo& info, const Access<std::string>& field) {
+        auto* line = new QLineEdit;
+        line->setObjectName("property:name");
+        addRow(info, line);
+        onRefresh([self = *this, line, field] {
+            line->setText(QString::fromStdString(self.read(field)));
+            line->setCursorPosition(0);
+        });
+        PropertyPanel* panel = panel_;
+        QObject::connect(line, &QLineEdit::editingFinished, panel, [panel, line] {
+            Document* document = panel->document_;
+            const auto next = simcore::project::renamed(document->project(), panel->element_,
+                                                        line->text().trimmed().toStdString());
+            emit panel->refused(next ? QString()
+                                     : QString::fromStdString(toString(next.problems().front())));
+            if (next) {
+                document->edit(PropertyPanel::tr("Rename to %1").arg(line->text().trimmed()),
+                               *next);
+            }
+        });
+    }
+
+    void textRow(const FieldInfo& info, const Access<std::string>& field) {
+        auto* line = new QLineEdit;
+        addRow(info, line);
+        onRefresh([self = *this, line, field] {
+            line->setText(QString::fromStdString(self.read(field)));
+            line->setCursorPosition(0);
+        });
+        QObject::connect(line, &QLineEdit::editingFinished, panel_,
+                         [self = *this, line, field, label = info.label]() mutable {
+                             self.set(field, line->text().toStdString(), label);
+                         });
+    }
+
+    void referenceRow(const FieldInfo& info, const Access<std::string>& field, ElementKind kind) {
+        auto* box = new Unwheeled<QComboBox>;
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        addRow(info, box);
+        onRefresh([self = *this, box, field, kind] {
+            const QSignalBlocker quiet(box);
+            const Project& project = self.document_->project();
+            const QString current = QString::fromStdString(self.read(field));
+            box->clear();
+            box->addItem(PropertyPanel::tr("(none)"), QString());
+            for (int i = 0; i < countOf(project, kind); ++i) {
+                const QString name = QString::fromStdString(nameOf(project, ElementRef{kind, i}));
+                box->addItem(name, name);
+            }
+            int at = box->findData(current);
+            if (at < 0) {
+                box->addItem(current, current);
+                at = box->count() - 1;
+            }
+            box->setCurrentIndex(at);
+        });
+        QObject::connect(box, &QComboBox::activated, panel_,
+                         [self = *this, box, field, label = info.label]() mutable {
+                             self.set(field, box->currentData().toString().toStdString(), label);
+                         });
+    }
+
+    void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
+             const Access<bool>& field) {
+        auto* check = new QCheckBox;
+        addRow(info, check);
+        onRefresh([self = *this, check, field] {
+            const QSignalBlocker quiet(check);
+            check->setChecked(self.read(field));
+        });
+        QObject::connect(check, &QCheckBox::toggled, panel_,
+                         [self = *this, field, label = info.label](bool on) mutable {
+                             self.set(field, on, label);
+                         });
+    }
+
+    void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
+             const Access<int>& field) {
+        auto* spin = new Unwheeled<QSpinBox>;
+        spin->setRange(-1000000000, 1000000000);
+        spin->setKeyboardTracking(false);
+        addRow(info, spin);
+        onRefresh([self = *this, spin, field] {
+            const QSignalBlocker quiet(spin);
+            spin->setValue(self.read(field));
+        });
+        QObject::connect(spin, &QSpinBox::valueChanged, panel_,
+                         [self = *this, field, label = info.label](int value) mutable {
+                             self.set(field, value, label, "spin " + label);
+                         });
+    }
+
+    QuantityField* makeField(const FieldInfo& info, const Access<Quantity>& field,
+                             const QString& name) {
+        auto* line =
+            new QuantityField(document_, name, info.unit,
+                              [self = *this, field, label = info.label](
+                                  const Quantity& value, const QString& key) mutable -> Problems {
+                                  self.set(field, value, label, key);
+                                  return {};
+                              });
+        onRefresh([self = *this, line, field] { line->setQuantity(self.read(field)); });
+        QObject::connect(line, &QuantityField::refused, panel_, &PropertyPanel::refused);
+        return line;
+    }
+
+    void row(const QString& /*word*/, const char* key, const FieldInfo& info,
+             const Access<Quantity>& field) {
+        QuantityField* line = makeField(info, field, info.label);
+        line->setObjectName(QString("property:") + key);
+        addRow(info, line);
+    }
+
+    template <std::size_t N>
+    void row(const QString& /*word*/, const char* key, const FieldInfo& info,
+             const Access<std::array<Quantity, N>>& field) {
+        static constexpr std::array kAxes{"x", "y", "z"};
+        for (std::size_t i = 0; i < N; ++i) {
+            const Access<Quantity> one = [field, i](Project& project) -> Quantity& {
+                return field(project)[i];
+            };
+            FieldInfo row = info;
+            row.label = info.label + ' ' + (N == 3 ? kAxes.at(i) : QString::number(i + 1));
+            QuantityField* line = makeField(row, one, row.label);
+            line->setObjectName(QString("property:%1:%2").arg(key).arg(i));
+            addRow(row, line);
+        }
+    }
+
+    template <std::size_t N>
+    void row(const QString& /*word*/, const char* key, const FieldInfo& info,
+             const Access<std::optional<std::array<Quantity, N>>>& field) {
+        auto* check = new QCheckBox(N == 6 ? PropertyPanel::tr("given") : PropertyPanel::tr("on"));
+        addRow(info, check);
+        onRefresh([self = *this, check, field] {
+            const QSignalBlocker quiet(check);
+            check->setChecked(self.read(field).has_value());
+        });
+        QObject::connect(check, &QCheckBox::toggled, panel_,
+                         [self = *this, field, label = info.label](bool on) mutable {
+                             self.set(field, on ? defaultOf<N>() : std::nullopt, label);
+                         });
+        if (!read(field)) {
+            return;
+        }
+        static constexpr std::array kMoments{"Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"};
+        for (std::size_t i = 0; i < N; ++i) {
+            const Access<Quantity> one = [field, i](Project& project) -> Quantity& {
+                return field(project)->at(i);
+            };
+            FieldInfo row = info;
+            row.label = N == 6   ? QString(kMoments.at(i))
+                        : i == 0 ? PropertyPanel::tr("Lower stop")
+                                 : PropertyPanel::tr("Upper stop");
+            QuantityField* line = makeField(row, one, row.label);
+            line->setObjectName(QString("property:%1:%2").arg(key).arg(i));
+            addRow(row, line);
+        }
+    }
+
+    /// What a switched-on optional field starts with.
+    template <std::size_t N>
+    static std::optional<std::array<Quantity, N>> defaultOf() {
+        std::array<Quantity, N> values{};
+        if constexpr (N == 2) {
+            values[0] = -1.0;
+            values[1] = 1.0;
+        } else {
+            values[0] = values[1] = values[2] = 0.01;
+        }
+        return values;
+    }
+
+    void row(const QString& /*word*/, const char* key, const FieldInfo& info,
+             const Access<std::optional<double>>& field) {
+        const Access<std::optional<double>> access = field;
+        auto* line = new QLineEdit;
+        line->setPlaceholderText(PropertyPanel::tr("no limit"));
+        line->setObjectName(QString("property:") + key);
+        addRow(info, line);
+        const std::string unit = info.unit.toStdString();
+        onRefresh([self = *this, line, field, unit] {
+            const auto& value = self.read(field);
+            line->setText(value ? QString::fromStdString(simcore::project::textOf(*value, unit)) +
+                                      ' ' + QString::fromStdString(unit)
+                                : QString());
+        });
+        QObject::connect(
+            line, &QLineEdit::editingFinished, panel_,
+            [self = *this, line, field, unit, label = info.label]() mutable {
+                if (line->text().trimmed().isEmpty()) {
+                    self.set(field, std::optional<double>(), label);
+                    return;
+                }
+                const auto value = simcore::project::quantityFromText(
+                    line->text().toStdString(), unit, {}, label.toStdString());
+                const bool number = value && value->isLiteral();
+                emit self.panel_->refused(number ? QString()
+                                                 : PropertyPanel::tr("%1: a number is needed, not "
+                                                                     "'%2'.")
+                                                       .arg(label, line->text()));
+                if (number) {
+                    self.set(field, std::optional(value->literal()), label);
+                }
+            });
+    }
+
+    void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
+             const Access<std::vector<std::string>>& field) {
+        auto* line = new QLineEdit;
+        addRow(info, line);
+        onRefresh([self = *this, line, field] { line->setText(joined(self.read(field))); });
+        QObject::connect(line, &QLineEdit::editingFinished, panel_,
+                         [self = *this, line, field, label = info.label]() mutable {
+                             self.set(field, separated(line->text()), label);
+                         });
+    }
+
+    template <class Enum, std::enable_if_t<std::is_enum_v<Enum>, int> = 0>
+    void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
+             const Access<Enum>& field) {
+        auto* box = new Unwheeled<QComboBox>;
+        for (const std::string& name : simcore::project::allNames<Enum>()) {
+            box->addItem(QString::fromStdString(name));
+        }
+        addRow(info, box);
+        onRefresh([self = *this, box, field] {
+            const QSignalBlocker quiet(box);
+            box->setCurrentText(QString::fromStdString(simcore::project::nameOf(self.read(field))));
+        });
+        QObject::connect(box, &QComboBox::activated, panel_,
+                         [self = *this, box, field, label = info.label]() mutable {
+                             const auto value =
+                                 simcore::project::fromName<Enum>(box->currentText().toStdString());
+                             if (value) {
+                                 self.set(field, *value, label);
+                             }
+                         });
+    }
+
+    void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
+             const Access<std::vector<simcore::project::Shape>>& field) {
+        auto* label = new QLabel;
+        addRow(info, label);
+        onRefresh([self = *this, label, field] {
+            label->setText(
+                PropertyPanel::tr("%n drawn", nullptr, static_cast<int>(self.read(field).size())));
+        });
+    }
+
+    void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
+             const Access<std::vector<simcore::project::Override>>& field) {
+        heading(info.label);
+        for (std::size_t i = 0; i < read(field).size(); ++i) {
+            const Access<Quantity> one = [field, i](Project& project) -> Quantity& {
+                return field(project).at(i).value;
+            };
+            FieldInfo row;
+            row.label = QString::fromStdString(read(field)[i].parameter);
+            for (const auto& parameter : document_->project().rover.parameters) {
+                if (parameter.name == read(field)[i].parameter) {
+                    row.unit = QString::fromStdString(parameter.unit);
+                }
+            }
+            addRow(row, makeField(row, one, row.label));
+        }
+    }
+
+    /// A part of the element with fields of its own, under a heading.
+    template <class Part, std::enable_if_t<std::is_class_v<Part>, int> = 0>
+    void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
+             const Access<Part>& field) {
+        heading(info.label);
+        build<Part>(field);
+    }
+
+    void heading(const QString& text) {
+        auto* label = new QLabel("<b>" + text.toHtmlEscaped() + "</b>");
+        label->setContentsMargins(0, 8, 0, 0);
+        form_->addRow(label);
+    }
+
+    PropertyPanel* panel_;
+    Document* document_;
+    QFormLayout* form_;
+};
+
+namespace {
+
+void buildForm(PropertyFormBuilder& builder, ElementRef element) {
+    const auto at = static_cast<std::size_t>(element.index);
+    switch (element.kind) {
+        case ElementKind::Parameter:
+            return builder.build<simcore::project::Parameter>([at](Project & p) -> auto& {
+                return p.rover.parameters.at(at);
+            });
+        case ElementKind::Body:
+            return builder.build<simcore::project::Body>([at](Project & p) -> auto& {
+                return p.rover.bodies.at(at);
+            });
+        case ElementKind::Joint:
+            return builder.build<simcore::project::Joint>([at](Project & p) -> auto& {
+                return p.rover.joints.at(at);
+            });
+        case ElementKind::Wheel:
+            return builder.build<simcore::project::Wheel>([at](Project & p) -> auto& {
+                return p.rover.wheels.at(at);
+            });
+        case ElementKind::Spring:
+            return builder.build<simcore::project::Spring>([at](Project & p) -> auto& {
+                return p.rover.springs.at(at);
+            });
+        case ElementKind::Gear:
+            return builder.build<simcore::project::Gear>([at](Project & p) -> auto& {
+                return p.rover.gears.at(at);
+            });
+        case ElementKind::Payload:
+            return builder.build<simcore::project::Payload>([at](Project & p) -> auto& {
+                return p.rover.payloads.at(at);
+            });
+        case ElementKind::Variant:
+            return builder.build<simcore::project::Variant>([at](Project & p) -> auto& {
+                return p.variants.at(at);
+            });
+        case ElementKind::Scenario:
+            return builder.build<simcore::project::Scenario>([at](Project & p) -> auto& {
+                return p.scenarios.at(at);
+            });
+    }
+}
+
+/// What decides which rows a form has, as text: kinds, switched-on optional fields, list sizes.
+std::string shapeOf(const Project& project, ElementRef element) {
+    if (element.index < 0 || element.index >= countOf(project, element.kind)) {
+        return {};
+    }
+    const auto at = static_cast<std::size_t>(element.index);
+    std::string shape = wordFor(element.kind) + std::to_string(element.index);
+    switch (element.kind) {
+        case ElementKind::Parameter:
+            return shape + project.rover.parameters[at].unit;
+        case ElementKind::Body:
+            return shape + (project.rover.bodies[at].inertia ? "inertia" : "");
+        case ElementKind::Joint:
+            return shape + (project.rover.joints[at].stops ? "stops" : "");
+        case ElementKind::Spring:
+            return shape + (project.rover.springs[at].joint.empty() ? "" : "torsion");
+        case ElementKind::Variant:
+            return shape + std::to_string(project.variants[at].set.size());
+        case ElementKind::Scenario:
+            return shape + nameOf(project.scenarios[at].terrain.kind);
+        default:
+            return shape;
+    }
+}
+
+}  // namespace
+
+PropertyPanel::PropertyPanel(Document* document, QWidget* parent)
+    : QScrollArea(parent),
+      document_(document) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setAccessibleName(tr("Properties"));
+    connect(document_, &Document::changed, this, &PropertyPanel::refresh);
+    rebuild();
+}
+
+void PropertyPanel::setElement(ElementRef element) {
+    element_ = element;
+    rebuild();
+}
+
+void PropertyPanel::rebuild() {
+    refreshers_.clear();
+    shape_ = shapeOf(document_->project(), element_);
+    auto* content = new QWidget;
+    if (shape_.empty()) {
+        element_.index = -1;
+        auto* layout = new QVBoxLayout(content);
+        auto* hint = new QLabel(tr("Select a part in the tree\nor in the 3D view to edit it."));
+        hint->setAlignment(Qt::AlignCenter);
+        hint->setEnabled(false);
+        layout->addWidget(hint);
+    } else {
+        auto* form = new QFormLayout(content);
+        form->setContentsMargins(6, 6, 8, 6);
+        form->setVerticalSpacing(3);
+        form->setHorizontalSpacing(8);
+        form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+        PropertyFormBuilder builder(this, form);
+        buildForm(builder, element_);
+    }
+    // The form may be rebuilt from a signal of one of its own editors.
+    if (QWidget* old = takeWidget()) {
+        old->hide();
+        old->deleteLater();
+    }
+    setWidget(content);
+}
+
+void PropertyPanel::refresh() {
+    if (shapeOf(document_->project(), element_) != shape_) {
+        rebuild();
+        return;
+    }
+    for (const auto& refresher : refreshers_) {
+        refresher();
+    }
+}
+
+}  // namespace widgets

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+#include "widgets/document/document.h"
+
+class QButtonGroup;
+class QGridLayout;
+class QLabel;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace widgets {
+
+/// How much the rover can move and what is over-constrained: both models side by side, a verdict in
+/// words, and every constraint that could go, by joint.
+class MobilityPanel : public QWidget {
+    Q_OBJECT
+  public:
+    explicit MobilityPanel(Document* document, QWidget* parent = nullptr);
+
+    /// The model whose constraints are listed.
+    simcore::mobility::Model model() const { return model_; }
+
+    void setModel(simcore::mobility::Model model);
+    /// Selects the rows of a joint without emitting jointChosen(); -1 clears.
+    void selectJoint(int joint);
+
+  signals:
+    /// The user chose a constraint of this joint of the mechanism; -1: none, or a contact.
+    void jointChosen(int joint);
+    /// The user chose a constraint of the contact of this wheel.
+    void wheelChosen(int wheel);
+    void modelChanged();
+
+  private:
+    enum Quantity { Gruebler, Bodies, Joints, Rows, Rank, Mobility, Redundant, kQuantities };
+
+    const simcore::mobility::Report& report() const;
+    void buildTable(QGridLayout* grid);
+    void refresh();
+    void showTable();
+    void showConstraints();
+
+    Document* document_;
+    simcore::mobility::Model model_ = simcore::mobility::Model::Built;
+    QButtonGroup* models_ = nullptr;
+    QWidget* content_ = nullptr;
+    QLabel* unavailable_ = nullptr;
+    QLabel* headline_ = nullptr;
+    QLabel* verdict_ = nullptr;
+    QLabel* listTitle_ = nullptr;
+    QTreeWidget* list_ = nullptr;
+    std::array<std::array<QLabel*, 2>, kQuantities> cells_{};
+    bool refreshing_ = false;
+};
+
+}  // namespace widgets
