@@ -1,0 +1,148 @@
+#include "render/geometry/terrain_model.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <map>
+#include <osg/Geode>
+#include <tuple>
+
+#include "render/geometry/mesh_builder.h"
+
+namespace render {
+
+namespace {
+
+using simcore::terrain::TriangleMesh;
+
+constexpr double kSmoothCosine = 0.866;  // 30 deg
+constexpr double kHorizon = 60.0;        // [m]; the fog is opaque before
+const Material kSoil{osg::Vec4ub(206, 160, 116, 255), 1.0F, 0.0F};
+
+/// Vertices at the same place count as one.
+std::vector<int> weld(const std::vector<Vec3>& vertices) {
+    std::map<std::tuple<long, long, long>, int> first;
+    std::vector<int> welded;
+    for (const Vec3& p : vertices) {
+        const auto key = std::tuple(std::lround(p.x() * 1e6), std::lround(p.y() * 1e6),
+                                    std::lround(p.z() * 1e6));
+        welded.push_back(first.emplace(key, static_cast<int>(first.size())).first->second);
+    }
+    return welded;
+}
+
+osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh) {
+    const std::vector<int> welded = weld(mesh.vertices);
+    std::vector<Vec3> weighted(mesh.triangles.size());  // normal times twice the area
+    std::vector<std::vector<int>> around(mesh.vertices.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto [a, b, c] = mesh.triangles[t];
+        const auto at = [&](int i) { return mesh.vertices[static_cast<std::size_t>(i)]; };
+        weighted[t] = (at(b) - at(a)).cross(at(c) - at(a));
+        for (const int corner : mesh.triangles[t]) {
+            const auto spot = static_cast<std::size_t>(welded[static_cast<std::size_t>(corner)]);
+            around[spot].push_back(static_cast<int>(t));
+        }
+    }
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Vec3 own = weighted[t].normalized();
+        for (const int corner : mesh.triangles[t]) {
+            const auto index = static_cast<std::size_t>(corner);
+            Vec3 normal = Vec3::Zero();
+            for (const int other : around[static_cast<std::size_t>(welded[index])]) {
+                const Vec3& neighbour = weighted[static_cast<std::size_t>(other)];
+                if (neighbour.normalized().dot(own) > kSmoothCosine) {
+                    normal += neighbour;
+                }
+            }
+            vertices->push_back(toOsg(mesh.vertices[index]));
+            normals->push_back(toOsg(normal.normalized()));
+        }
+    }
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setUseDisplayList(false);
+    geometry->setUseVertexBufferObjects(true);
+    geometry->setVertexArray(vertices);
+    geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
+    osg::ref_ptr<osg::Vec4ubArray> color = new osg::Vec4ubArray;
+    color->push_back(kSoil.color);
+    color->setNormalize(true);
+    geometry->setColorArray(color, osg::Array::BIND_OVERALL);
+    geometry->addPrimitiveSet(
+        new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(vertices->size())));
+    return geometry;
+}
+
+/// Walls from the mesh's border to z = 0, where the surrounding lies.
+void addBorder(MeshBuilder& builder, const TriangleMesh& mesh) {
+    const std::vector<int> welded = weld(mesh.vertices);
+    std::map<std::pair<int, int>, std::pair<Vec3, Vec3>> open;
+    for (const auto& triangle : mesh.triangles) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto a = static_cast<std::size_t>(triangle[i]);
+            const auto b = static_cast<std::size_t>(triangle[(i + 1) % 3]);
+            if (open.erase({welded[b], welded[a]}) == 0) {
+                open[{welded[a], welded[b]}] = {mesh.vertices[a], mesh.vertices[b]};
+            }
+        }
+    }
+    for (const auto& [key, edge] : open) {
+        const auto& [a, b] = edge;
+        const Vec3 outward = (b - a).cross(Vec3::UnitZ());
+        if (outward.norm() < 1e-9 || std::max(std::abs(a.z()), std::abs(b.z())) < 1e-6) {
+            continue;
+        }
+        const double sign = a.z() + b.z() >= 0.0 ? 1.0 : -1.0;  // a pit's wall looks inwards
+        builder.quad({a, b, Vec3(b.x(), b.y(), 0.0), Vec3(a.x(), a.y(), 0.0)},
+                     Vec3(sign * outward.normalized()));
+    }
+}
+
+/// The plane z = 0 around the box [xMin, xMax] x [yMin, yMax].
+void addSurrounding(MeshBuilder& builder, const Eigen::AlignedBox2d& hole) {
+    const double x[4] = {hole.min().x() - kHorizon, hole.min().x(), hole.max().x(),
+                         hole.max().x() + kHorizon};
+    const double y[4] = {hole.min().y() - kHorizon, hole.min().y(), hole.max().y(),
+                         hole.max().y() + kHorizon};
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            if ((i == 1 && j == 1) && !hole.isEmpty() && hole.volume() > 0.0) {
+                continue;
+            }
+            builder.quad({Vec3(x[i], y[j], 0), Vec3(x[i + 1], y[j], 0), Vec3(x[i + 1], y[j + 1], 0),
+                          Vec3(x[i], y[j + 1], 0)},
+                         Vec3::UnitZ());
+        }
+    }
+}
+
+}  // namespace
+
+Ground makeGround(const simcore::terrain::Terrain* terrain) {
+    Ground ground{new osg::Group, nullptr};
+    MeshBuilder around;
+    around.setMaterial(kSoil);
+    Eigen::AlignedBox2d hole(Eigen::Vector2d::Zero());
+    if (terrain != nullptr && !terrain->mesh().triangles.empty()) {
+        osg::ref_ptr<osg::Geode> surface = new osg::Geode;
+        surface->addDrawable(makeSurface(terrain->mesh()));
+        ground.measured = surface;
+        ground.root->addChild(surface);
+        hole = Eigen::AlignedBox2d();
+        for (const Vec3& p : terrain->mesh().vertices) {
+            hole.extend(Eigen::Vector2d(p.head<2>()));
+        }
+        addBorder(around, terrain->mesh());
+    }
+    addSurrounding(around, hole);
+    osg::ref_ptr<osg::Geode> plain = new osg::Geode;
+    plain->addDrawable(around.build());
+    ground.root->addChild(plain);
+    if (ground.measured == nullptr) {
+        ground.measured = plain;
+    }
+    return ground;
+}
+
+}  // namespace render
