@@ -2,16 +2,18 @@
 
 #include <QWidget>
 
+#include "simcore/project/resolve.h"
 #include "widgets/session/run_session.h"
 
 class QAction;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
-class QSlider;
 class QToolButton;
 
 namespace widgets {
+
+class TimelineSlider;
 
 /// The actions the bar's buttons stand for. They belong to the window's action registry, which
 /// gives them shortcuts and connects them; the bar keeps their icon, text and enabled state right.
@@ -37,6 +39,8 @@ class RunBar : public QWidget {
     void setScenario(const QString& name);
     /// Next faster (+1) or slower (-1) entry of the speed list.
     void changeSpeed(int direction);
+    /// A line about the run, until the next state: why it cannot start, that keys drive, ...
+    void showStatus(const QString& text);
 
   signals:
     /// The user chose another scenario, controller or friction.
@@ -46,12 +50,14 @@ class RunBar : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
-    struct Parts;
-    void buildSettings();
-    void buildTransport(const RunActions& actions);
+    QWidget* makeSettings();
+    QWidget* makeTransport();
     void showScenario();
-    void updateState();
+    void updateActions();
+    void updateStatus();
     void updateTime();
+    const simcore::project::Scenario* chosen() const;
+    double scenarioFriction() const;
 
     RunSession* session_;
     RunActions actions_;
@@ -60,7 +66,7 @@ class RunBar : public QWidget {
     QComboBox* controller_ = nullptr;
     QDoubleSpinBox* friction_ = nullptr;
     QComboBox* speed_ = nullptr;
-    QSlider* timeline_ = nullptr;
+    TimelineSlider* timeline_ = nullptr;
     QLabel* time_ = nullptr;
     QLabel* rate_ = nullptr;
     QLabel* status_ = nullptr;

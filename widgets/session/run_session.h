@@ -3,10 +3,10 @@
 #include <QObject>
 #include <QTimer>
 #include <memory>
-#include <optional>
 
 #include "simcore/io/csv.h"
 #include "simcore/run/run_worker.h"
+#include "widgets/session/recording_store.h"
 
 namespace widgets {
 
@@ -29,7 +29,7 @@ class RunSession : public QObject {
     simcore::Problems prepare(const simcore::project::Project& project,
                               const simcore::run::RunRequest& request,
                               const std::string& projectFile = {});
-    /// Takes over a worker made elsewhere.
+    /// Takes over a worker made elsewhere, standing at its start.
     void adopt(std::unique_ptr<simcore::run::RunWorker> worker,
                simcore::io::RecordingOrigin origin);
     /// Back to Empty.
@@ -64,24 +64,24 @@ class RunSession : public QObject {
     /// Shows the newest instant again. play() and stepOnce() do that too.
     void goLive();
 
-    bool isLive() const { return !scrubbed_.has_value(); }
+    bool isLive() const { return scrubbed_ == nullptr; }
 
     /// The instant on show; null when Empty.
     const simcore::run::Snapshot* shown() const;
     double shownTime() const;  ///< [s]
-    double endTime() const;    ///< of what is recorded [s]
+    double endTime() const;    ///< of the newest instant [s]
     double realTimeFactor() const;
 
     /// Numbers of the run; call only when hasRun().
     const simcore::run::ResolvedRun& settings() const;
     simcore::run::RunReport report() const;
 
-    const simcore::run::Recording& recording() const { return recording_; }
+    const simcore::run::Recording& recording() const { return store_.recording(); }
 
     const simcore::io::RecordingOrigin& origin() const { return origin_; }
 
     /// Writes the recording as CSV with its metadata beside it.
-    simcore::Result<bool> exportCsv(const QString& file);
+    simcore::Result<bool> exportCsv(const QString& file) const;
 
   signals:
     /// Another run (or none) is there: wheels, channels, terrain may all be different.
@@ -90,21 +90,23 @@ class RunSession : public QObject {
     void staleChanged(bool stale);
     /// Another instant is on show, live or scrubbed.
     void snapshotChanged(const simcore::run::Snapshot& snapshot);
-    /// recording() grew, or was emptied by reset().
+    /// recording() got longer; what was there before is unchanged.
     void dataAppended();
+    /// recording() was emptied by reset(), or thinned because it was full.
+    void dataReplaced();
     void finished(const simcore::run::RunReport& report);
     void speedFactorChanged(double factor);
 
   private:
     void poll();
     void setState(State state);
-    void trimFrames();
+    void show(std::shared_ptr<const simcore::run::Snapshot> frame);
 
     std::unique_ptr<simcore::run::RunWorker> worker_;
-    simcore::run::Recording recording_;
+    RecordingStore store_;
     simcore::io::RecordingOrigin origin_;
     std::shared_ptr<const simcore::run::Snapshot> live_;
-    std::optional<std::shared_ptr<const simcore::run::Snapshot>> scrubbed_;
+    std::shared_ptr<const simcore::run::Snapshot> scrubbed_;  ///< null while live
     State state_ = State::Empty;
     bool stale_ = false;
     double speedFactor_ = 1.0;
