@@ -7,8 +7,9 @@
 
 namespace widgets {
 
-/// Curves of the run over time, one per wheel: slip, torque, normal force, contact angle, speed.
-/// One cursor, one time window and one set of visible wheels for all plots.
+/// Curves of the run over time, one per wheel, side by side: slip, torque, normal force, contact
+/// angle, speed. One cursor, one time window and one set of visible wheels for all plots; a table
+/// holds the values at the cursor. A click in a plot scrubs the run to that time.
 class PlotPanel : public QWidget {
     Q_OBJECT
   public:
@@ -18,9 +19,18 @@ class PlotPanel : public QWidget {
     /// Number of plots shown, 1 to 4.
     void setPlotCount(int count);
     int plotCount() const;
+    /// The quantity of a plot, as channels name it: "slip_abs".
+    void setQuantity(int plot, const QString& quantity);
+    QString quantity(int plot) const;
+    /// Hides or shows the curves of one wheel.
+    void setWheelShown(int wheel, bool shown);
+    /// Time the table shows values of [s]: under the mouse, else the instant on show.
+    double cursorTime() const;
+    /// The time window on show [s].
+    std::pair<double, double> window() const;
     /// Writes all shown plots as one picture in light colours: .png, .svg or .pdf by the file's
-    /// ending. False when the file cannot be written.
-    bool savePicture(const QString& file);
+    /// ending. Problems when the file cannot be written or has another ending.
+    simcore::Problems savePicture(const QString& file);
     /// The same picture to the clipboard.
     void copyPicture();
 
@@ -33,7 +43,7 @@ class PlotPanel : public QWidget {
 
   protected:
     void changeEvent(QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     struct Impl;

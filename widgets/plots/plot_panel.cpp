@@ -1,0 +1,696 @@
+#include "widgets/plots/plot_panel.h"
+
+#include <qcustomplot.h>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSettings>
+#include <QSvgGenerator>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "render/palette.h"
+#include "widgets/plots/wheel_plot.h"
+
+namespace widgets {
+
+using simcore::Problem;
+using simcore::Problems;
+using simcore::Severity;
+
+namespace {
+
+constexpr int kMaxPlots = 4;
+constexpr int kReplotPeriod_ms = 80;
+constexpr std::array kFirstChoice{"slip_abs", "torque_applied", "normal_force", "contact_angle"};
+constexpr double kWholeRun = 0.0;
+constexpr double kFree = -1.0;
+
+QIcon chipIcon(int wheel) {
+    const render::Rgb color = render::wheelColor(wheel);
+    QIcon icon;
+    for (const bool on : {true, false}) {
+        QPixmap pixmap(14, 14);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const QColor fill(color.r, color.g, color.b);
+        painter.setPen(QPen(fill, 1.5));
+        painter.setBrush(on ? QBrush(fill) : QBrush(Qt::NoBrush));
+        painter.drawRoundedRect(QRectF(1.5, 1.5, 11, 11), 2.5, 2.5);
+        painter.end();
+        icon.addPixmap(pixmap, QIcon::Normal, on ? QIcon::On : QIcon::Off);
+    }
+    return icon;
+}
+
+/// Short enough for a table cell.
+QString cellText(double value) {
+    if (!std::isfinite(value)) {
+        return QString(QChar(0x2013));
+    }
+    const int digits = std::abs(value) >= 100.0 ? 1 : std::abs(value) >= 10.0 ? 2 : 3;
+    const QString text = QString::number(value, 'f', digits);
+    return text.startsWith('-') ? QChar(0x2212) + text.mid(1) : text;
+}
+
+}  // namespace
+
+struct PlotPanel::Impl {
+    PlotPanel* panel;
+    RunSession* session;
+    std::vector<std::string> wheels;
+    std::vector<bool> wheelShown;
+    std::vector<ShownQuantity> quantities;
+    std::vector<QString> chosen;  ///< quantity of every plot
+    int count = 2;
+    std::size_t plotted = 0;  ///< rows that the curves have
+    double from = 0.0, to = 10.0;
+    std::optional<double> mouseTime;
+
+    std::array<std::unique_ptr<WheelPlot>, kMaxPlots> plots;
+    std::array<QWidget*, kMaxPlots> columns{};
+    std::array<QComboBox*, kMaxPlots> choosers{};
+    QWidget* table = nullptr;
+    QGridLayout* grid = nullptr;
+    QLabel* cursor = nullptr;
+    std::vector<QToolButton*> toggles;
+    std::vector<std::array<QLabel*, kMaxPlots>> cells;
+    std::array<QLabel*, kMaxPlots> heads{};
+    QComboBox* follow = nullptr;
+    QComboBox* counts = nullptr;
+    QTimer replotTimer;
+
+    Impl(PlotPanel* p, RunSession* s) : panel(p), session(s) {}
+
+    void build();
+    QWidget* makeToolbar();
+    QWidget* makePlotColumn(int plot);
+    void startRun();
+    void buildTable();
+    void startPlot(int plot);
+    void takeData(bool anew);
+    void showWindow();
+    void followTime();
+    void setFree(double newFrom, double newTo);
+    void updateCells();
+    void updateHints();
+    void schedule();
+    void replotAll();
+    void colors();
+    void saveChoice() const;
+    double end() const;
+    bool onMouse(int plot, QMouseEvent* event, bool clicked);
+    void paintPicture(QPainter& painter, const QSize& size);
+    QString suggestedName(const QString& ending) const;
+    void complain(const Problems& problems, const QString& what);
+};
+
+void PlotPanel::Impl::build() {
+    const QSettings settings;
+    chosen = {kFirstChoice.begin(), kFirstChoice.end()};
+    const QStringList saved = settings.value("plots/quantities").toStringList();
+    for (int i = 0; i < std::min<int>(kMaxPlots, static_cast<int>(saved.size())); ++i) {
+        chosen[static_cast<std::size_t>(i)] = saved[i];
+    }
+    count = std::clamp(settings.value("plots/count", 2).toInt(), 1, kMaxPlots);
+    table = new QWidget;
+    table->setAccessibleName(PlotPanel::tr("Values at the cursor"));
+    auto* body = new QHBoxLayout;
+    body->setSpacing(6);
+    body->addWidget(table);
+    for (int i = 0; i < kMaxPlots; ++i) {
+        body->addWidget(makePlotColumn(i), 1);
+    }
+    auto* layout = new QVBoxLayout(panel);
+    layout->setContentsMargins(8, 0, 8, 6);
+    layout->setSpacing(4);
+    layout->addWidget(makeToolbar());
+    layout->addLayout(body, 1);
+    replotTimer.setSingleShot(true);
+    replotTimer.setInterval(kReplotPeriod_ms);
+    connect(&replotTimer, &QTimer::timeout, panel, [this] { replotAll(); });
+    connect(session, &RunSession::runChanged, panel, [this] { startRun(); });
+    connect(session, &RunSession::dataAppended, panel, [this] { schedule(); });
+    connect(session, &RunSession::dataReplaced, panel, [this] { takeData(true); });
+    connect(session, &RunSession::snapshotChanged, panel, [this] { schedule(); });
+    connect(session, &RunSession::stateChanged, panel, [this] { updateHints(); });
+    startRun();
+    panel->setPlotCount(count);
+    colors();
+}
+
+QWidget* PlotPanel::Impl::makeToolbar() {
+    auto* bar = new QWidget;
+    auto* layout = new QHBoxLayout(bar);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(6);
+    cursor = new QLabel;
+    cursor->setAccessibleName(PlotPanel::tr("Time at the cursor"));
+    layout->addWidget(cursor);
+    layout->addStretch(1);
+    counts = new QComboBox;
+    counts->setObjectName("plotCount");
+    counts->setAccessibleName(PlotPanel::tr("Number of plots"));
+    for (int i = 1; i <= kMaxPlots; ++i) {
+        counts->addItem(i == 1 ? PlotPanel::tr("1 plot") : PlotPanel::tr("%1 plots").arg(i), i);
+    }
+    layout->addWidget(counts);
+    follow = new QComboBox;
+    follow->setObjectName("timeWindow");
+    follow->setAccessibleName(PlotPanel::tr("Time window"));
+    follow->setToolTip(
+        PlotPanel::tr("Drag a plot to pan, turn the wheel to zoom: then the window "
+                      "is free and stays put"));
+    follow->addItem(PlotPanel::tr("Whole run"), kWholeRun);
+    for (const double seconds : {5.0, 10.0, 30.0}) {
+        follow->addItem(PlotPanel::tr("Last %1 s").arg(seconds), seconds);
+    }
+    follow->addItem(PlotPanel::tr("Free"), kFree);
+    layout->addWidget(follow);
+    const auto button = [&](const QString& text, const QString& name, auto slot) {
+        auto* one = new QPushButton(text);
+        one->setObjectName(name);
+        connect(one, &QPushButton::clicked, panel, slot);
+        layout->addWidget(one);
+    };
+    button(PlotPanel::tr("Fit"), "fit", &PlotPanel::fit);
+    button(PlotPanel::tr("Export CSV..."), "exportCsv", &PlotPanel::exportCsv);
+    button(PlotPanel::tr("Save picture..."), "exportPicture", &PlotPanel::exportPicture);
+    connect(counts, &QComboBox::activated, panel,
+            [this] { panel->setPlotCount(counts->currentData().toInt()); });
+    connect(follow, &QComboBox::activated, panel, [this] {
+        followTime();
+        replotAll();
+    });
+    return bar;
+}
+
+QWidget* PlotPanel::Impl::makePlotColumn(int index) {
+    const auto at = static_cast<std::size_t>(index);
+    auto* column = new QWidget;
+    auto* layout = new QVBoxLayout(column);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    auto* chooser = new QComboBox;
+    chooser->setObjectName(QString("quantity:%1").arg(index));
+    chooser->setAccessibleName(PlotPanel::tr("Quantity of plot %1").arg(index + 1));
+    layout->addWidget(chooser);
+    plots.at(at) = std::make_unique<WheelPlot>(column);
+    QCustomPlot* plot = plots.at(at)->widget();
+    plot->setObjectName(QString("plot:%1").arg(index));
+    layout->addWidget(plot, 1);
+    choosers.at(at) = chooser;
+    columns.at(at) = column;
+    connect(chooser, &QComboBox::activated, panel, [this, index, chooser] {
+        panel->setQuantity(index, chooser->currentData().toString());
+    });
+    connect(plot, &QCustomPlot::mouseMove, panel,
+            [this, index](QMouseEvent* event) { onMouse(index, event, false); });
+    // A drag pans; only a press and release at one place chooses a time.
+    connect(plot, &QCustomPlot::mousePress, panel,
+            [plot](QMouseEvent* event) { plot->setProperty("pressedAt", event->position()); });
+    connect(plot, &QCustomPlot::mouseRelease, panel, [this, index, plot](QMouseEvent* event) {
+        const QPointF moved = event->position() - plot->property("pressedAt").toPointF();
+        if (event->button() == Qt::LeftButton && moved.manhattanLength() < 4.0) {
+            onMouse(index, event, true);
+        }
+    });
+    connect(plot->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), panel,
+            [this](const QCPRange& range) {
+                if (range.lower != from || range.upper != to) {
+                    setFree(range.lower, range.upper);
+                }
+            });
+    plot->installEventFilter(panel);
+    return column;
+}
+
+double PlotPanel::Impl::end() const {
+    const auto& rows = session->recording().rows;
+    return rows.empty() ? 0.0 : rows.back()[0];
+}
+
+void PlotPanel::Impl::startRun() {
+    std::vector<std::string> names;
+    if (session->hasRun()) {
+        for (const auto& wheel : session->settings().mechanism.wheels) {
+            names.push_back(wheel.name);
+        }
+    }
+    if (names != wheels || quantities.empty()) {
+        wheels = names;
+        wheelShown.assign(wheels.size(), true);
+        const auto& channels = session->recording().channels;
+        quantities = quantitiesIn(channels.empty() ? simcore::run::makeChannels([] {
+            simcore::mechanism::Mechanism one;
+            one.wheels.emplace_back();
+            return one;
+        }())
+                                                   : channels);
+        for (std::size_t i = 0; i < kMaxPlots; ++i) {
+            choosers.at(i)->clear();
+            for (const ShownQuantity& q : quantities) {
+                choosers.at(i)->addItem(
+                    q.unit == "-" ? q.label : QString("%1 [%2]").arg(q.label, q.unit), q.quantity);
+            }
+        }
+        buildTable();
+    }
+    for (int i = 0; i < kMaxPlots; ++i) {
+        startPlot(i);
+    }
+    if (follow->currentData().toDouble() == kFree) {
+        follow->setCurrentIndex(0);
+    }
+    takeData(true);
+    updateHints();
+}
+
+void PlotPanel::Impl::startPlot(int index) {
+    const auto at = static_cast<std::size_t>(index);
+    auto found = std::find_if(quantities.begin(), quantities.end(),
+                              [&](const auto& q) { return q.quantity == chosen[at]; });
+    if (found == quantities.end()) {
+        found = quantities.begin();
+    }
+    choosers.at(at)->setCurrentIndex(choosers.at(at)->findData(found->quantity));
+    plots.at(at)->start(*found, session->recording().channels, wheels);
+    for (std::size_t wheel = 0; wheel < wheels.size(); ++wheel) {
+        plots.at(at)->setWheelShown(static_cast<int>(wheel), wheelShown[wheel]);
+    }
+    if (heads.at(at) != nullptr) {
+        const QString unit = found->unit == "-" ? QString() : QString(" [%1]").arg(found->unit);
+        heads.at(at)->setText(found->label.section(" (", 0, 0) + unit);
+        heads.at(at)->setToolTip(found->label + unit);
+    }
+}
+
+void PlotPanel::Impl::buildTable() {
+    qDeleteAll(table->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly));
+    delete table->layout();
+    grid = new QGridLayout(table);
+    grid->setContentsMargins(0, 4, 0, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(1);
+    toggles.clear();
+    cells.clear();
+    for (std::size_t i = 0; i < kMaxPlots; ++i) {
+        heads.at(i) = new QLabel;
+        heads.at(i)->setAlignment(Qt::AlignRight);
+        heads.at(i)->setEnabled(false);
+        grid->addWidget(heads.at(i), 0, static_cast<int>(i) + 1);
+    }
+    for (std::size_t wheel = 0; wheel < wheels.size(); ++wheel) {
+        auto* toggle = new QToolButton;
+        const QString name = QString::fromStdString(wheels[wheel]);
+        toggle->setText(name);
+        toggle->setIcon(chipIcon(static_cast<int>(wheel)));
+        toggle->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        toggle->setCheckable(true);
+        toggle->setAutoRaise(true);
+        toggle->setChecked(wheelShown[wheel]);
+        toggle->setObjectName("wheel:" + name);
+        toggle->setAccessibleName(PlotPanel::tr("Show %1").arg(name));
+        toggle->setToolTip(PlotPanel::tr("Show or hide the curves of %1").arg(name));
+        connect(toggle, &QToolButton::toggled, panel,
+                [this, wheel](bool on) { panel->setWheelShown(static_cast<int>(wheel), on); });
+        grid->addWidget(toggle, static_cast<int>(wheel) + 1, 0);
+        toggles.push_back(toggle);
+        auto& row = cells.emplace_back();
+        for (std::size_t i = 0; i < kMaxPlots; ++i) {
+            row.at(i) = new QLabel;
+            row.at(i)->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            row.at(i)->setMinimumWidth(
+                row.at(i)->fontMetrics().horizontalAdvance(QString(QChar(0x2212)) + "000.0"));
+            row.at(i)->setAccessibleName(PlotPanel::tr("%1, plot %2").arg(name).arg(i + 1));
+            grid->addWidget(row.at(i), static_cast<int>(wheel) + 1, static_cast<int>(i) + 1);
+        }
+    }
+    grid->setRowStretch(static_cast<int>(wheels.size()) + 1, 1);
+    table->setVisible(!wheels.empty());
+    for (int i = 0; i < kMaxPlots; ++i) {
+        const bool shown = i < count;
+        heads.at(static_cast<std::size_t>(i))->setVisible(shown);
+        for (auto& row : cells) {
+            row.at(static_cast<std::size_t>(i))->setVisible(shown);
+        }
+    }
+}
+
+void PlotPanel::Impl::takeData(bool anew) {
+    const auto& recording = session->recording();
+    if (anew) {
+        plotted = 0;
+    }
+    for (int i = 0; i < count; ++i) {
+        WheelPlot& plot = *plots.at(static_cast<std::size_t>(i));
+        if (anew) {
+            plot.clearData();
+        }
+        plot.append(recording, plotted);
+    }
+    plotted = recording.rows.size();
+    if (anew) {
+        followTime();
+        updateHints();
+        replotAll();
+    }
+}
+
+void PlotPanel::Impl::followTime() {
+    const double window = follow->currentData().toDouble();
+    if (window == kFree) {
+        showWindow();
+        return;
+    }
+    const double last = end();
+    if (window == kWholeRun) {
+        from = 0.0;
+        // Grows by whole steps, so that the curves do not crawl at every frame.
+        to = std::max(5.0, std::ceil((last + 1e-9) / 5.0) * 5.0);
+        if (session->state() == RunSession::State::Finished ||
+            session->state() == RunSession::State::Paused) {
+            to = std::max(last, 0.1);
+        }
+    } else {
+        to = std::max(last, window);
+        from = to - window;
+    }
+    showWindow();
+}
+
+void PlotPanel::Impl::showWindow() {
+    for (int i = 0; i < count; ++i) {
+        plots.at(static_cast<std::size_t>(i))->setWindow(from, to);
+    }
+}
+
+void PlotPanel::Impl::setFree(double newFrom, double newTo) {
+    const double last = std::max(end(), 1.0);
+    const double width = std::clamp(newTo - newFrom, 0.05, 1.2 * last);
+    from = std::clamp(newFrom, -0.1 * width, std::max(last - 0.5 * width, 0.0));
+    to = from + width;
+    follow->setCurrentIndex(follow->findData(kFree));
+    showWindow();
+    replotAll();
+}
+
+void PlotPanel::Impl::schedule() {
+    if (!replotTimer.isActive()) {
+        replotTimer.start();
+    }
+}
+
+void PlotPanel::Impl::replotAll() {
+    takeData(false);
+    followTime();
+    for (int i = 0; i < count; ++i) {
+        WheelPlot& plot = *plots.at(static_cast<std::size_t>(i));
+        plot.setMarks(session->shownTime(), mouseTime);
+        plot.replot();
+    }
+    updateCells();
+}
+
+void PlotPanel::Impl::updateCells() {
+    const auto& recording = session->recording();
+    const double time = panel->cursorTime();
+    cursor->setText(recording.rows.size() > 1 ? PlotPanel::tr("Values at %1 s").arg(time, 0, 'f', 2)
+                                              : QString());
+    const auto after = std::lower_bound(recording.rows.begin(), recording.rows.end(), time - 1e-9,
+                                        [](const auto& row, double t) { return row[0] < t; });
+    const bool any = !recording.rows.empty();
+    const std::size_t row =
+        any ? std::min<std::size_t>(
+                  static_cast<std::size_t>(std::distance(recording.rows.begin(), after)),
+                  recording.rows.size() - 1)
+            : 0;
+    for (std::size_t wheel = 0; wheel < cells.size(); ++wheel) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+            const ShownQuantity& q = plots.at(i)->quantity();
+            const int channel = simcore::run::findChannel(recording.channels,
+                                                          q.quantity.toStdString(), wheels[wheel]);
+            cells[wheel].at(i)->setText(
+                any && channel >= 0
+                    ? cellText(recording.rows[row][static_cast<std::size_t>(channel)] * q.factor)
+                    : QString());
+        }
+    }
+}
+
+void PlotPanel::Impl::updateHints() {
+    const bool empty = session->recording().rows.size() < 2;
+    for (std::size_t i = 0; i < kMaxPlots; ++i) {
+        plots.at(i)->setHint(empty && i == 0
+                                 ? PlotPanel::tr("Press Space to drive: every wheel's curve "
+                                                 "appears here")
+                                 : QString());
+    }
+    schedule();
+}
+
+bool PlotPanel::Impl::onMouse(int plot, QMouseEvent* event, bool clicked) {
+    mouseTime = plots.at(static_cast<std::size_t>(plot))
+                    ->timeAt(event->position().x(), event->position().y());
+    if (clicked && mouseTime && session->hasRun()) {
+        session->scrub(std::clamp(*mouseTime, 0.0, end()));
+    }
+    schedule();
+    return false;
+}
+
+void PlotPanel::Impl::colors() {
+    for (auto& plot : plots) {
+        plot->applyColors(panel->palette());
+    }
+    replotAll();
+}
+
+void PlotPanel::Impl::saveChoice() const {
+    QSettings settings;
+    settings.setValue("plots/count", count);
+    settings.setValue("plots/quantities", QStringList(chosen.begin(), chosen.end()));
+}
+
+void PlotPanel::Impl::paintPicture(QPainter& painter, const QSize& size) {
+    painter.fillRect(QRect(QPoint(0, 0), size), Qt::white);
+    painter.setPen(Qt::black);
+    const int head = 22;
+    int x = 8;
+    for (std::size_t wheel = 0; wheel < wheels.size(); ++wheel) {
+        if (!wheelShown[wheel]) {
+            continue;
+        }
+        const render::Rgb color = render::wheelColor(static_cast<int>(wheel));
+        painter.fillRect(QRect(x, 7, 10, 10), QColor(color.r, color.g, color.b));
+        const QString name = QString::fromStdString(wheels[wheel]);
+        painter.drawText(x + 14, 17, name);
+        x += 14 + painter.fontMetrics().horizontalAdvance(name) + 16;
+    }
+    const int width = size.width() / count;
+    for (int i = 0; i < count; ++i) {
+        WheelPlot& plot = *plots.at(static_cast<std::size_t>(i));
+        painter.drawText(QRect(i * width, head, width, head), Qt::AlignCenter,
+                         plot.quantity().label);
+        plot.paint(painter, QRect(i * width, 2 * head, width, size.height() - 2 * head));
+    }
+}
+
+QString PlotPanel::Impl::suggestedName(const QString& ending) const {
+    QString name = "run";
+    if (session->hasRun()) {
+        name = QString::fromStdString(session->settings().mechanism.name + "-" +
+                                      session->settings().scenario)
+                   .replace(' ', '_');
+    }
+    return QDir(QSettings().value("export/folder", QDir::homePath()).toString())
+        .filePath(name + ending);
+}
+
+void PlotPanel::Impl::complain(const Problems& problems, const QString& what) {
+    QMessageBox::warning(panel, what, QString::fromStdString(toString(problems)));
+}
+
+PlotPanel::PlotPanel(RunSession* session, QWidget* parent)
+    : QWidget(parent),
+      impl_(std::make_unique<Impl>(this, session)) {
+    impl_->build();
+}
+
+PlotPanel::~PlotPanel() = default;
+
+void PlotPanel::setPlotCount(int count) {
+    Impl& self = *impl_;
+    self.count = std::clamp(count, 1, kMaxPlots);
+    self.counts->setCurrentIndex(self.counts->findData(self.count));
+    for (int i = 0; i < kMaxPlots; ++i) {
+        const bool shown = i < self.count;
+        const auto at = static_cast<std::size_t>(i);
+        self.columns.at(at)->setVisible(shown);
+        self.heads.at(at)->setVisible(shown);
+        for (auto& row : self.cells) {
+            row.at(at)->setVisible(shown);
+        }
+    }
+    self.saveChoice();
+    self.takeData(true);
+}
+
+int PlotPanel::plotCount() const {
+    return impl_->count;
+}
+
+void PlotPanel::setQuantity(int plot, const QString& quantity) {
+    impl_->chosen.at(static_cast<std::size_t>(plot)) = quantity;
+    impl_->startPlot(plot);
+    impl_->saveChoice();
+    impl_->takeData(true);
+}
+
+QString PlotPanel::quantity(int plot) const {
+    return impl_->plots.at(static_cast<std::size_t>(plot))->quantity().quantity;
+}
+
+void PlotPanel::setWheelShown(int wheel, bool shown) {
+    const auto at = static_cast<std::size_t>(wheel);
+    impl_->wheelShown.at(at) = shown;
+    impl_->toggles.at(at)->setChecked(shown);
+    for (auto& plot : impl_->plots) {
+        plot->setWheelShown(wheel, shown);
+    }
+    impl_->replotAll();
+}
+
+double PlotPanel::cursorTime() const {
+    return impl_->mouseTime.value_or(impl_->session->shownTime());
+}
+
+std::pair<double, double> PlotPanel::window() const {
+    return {impl_->from, impl_->to};
+}
+
+Problems PlotPanel::savePicture(const QString& file) {
+    const auto cannot = [&](const char* reason, const char* remedy) {
+        return Problems{{Severity::Critical, file.toStdString(), reason, remedy}};
+    };
+    const QSize size(520 * plotCount(), 340);
+    const QString ending = QFileInfo(file).suffix().toLower();
+    if (ending != "png" && ending != "svg" && ending != "pdf") {
+        return cannot("the picture's format is not known.",
+                      "Use a name ending in .png, .svg or "
+                      ".pdf.");
+    }
+    QSaveFile device(file);
+    if (!device.open(QIODevice::WriteOnly)) {
+        return cannot("the picture cannot be written.",
+                      "Check that the folder exists and can be written.");
+    }
+    if (ending == "png") {
+        QImage image(size * 2, QImage::Format_RGB32);
+        image.setDevicePixelRatio(2.0);
+        QPainter painter(&image);
+        impl_->paintPicture(painter, size);
+        painter.end();
+        image.save(&device, "PNG");
+    } else if (ending == "svg") {
+        QSvgGenerator generator;
+        generator.setOutputDevice(&device);
+        generator.setSize(size);
+        generator.setViewBox(QRect(QPoint(0, 0), size));
+        QPainter painter(&generator);
+        impl_->paintPicture(painter, size);
+    } else {
+        QPdfWriter writer(&device);
+        writer.setResolution(96);
+        writer.setPageMargins(QMarginsF(0, 0, 0, 0));
+        writer.setPageSize(QPageSize(QSizeF(size) * 72.0 / 96.0, QPageSize::Point));
+        QPainter painter(&writer);
+        impl_->paintPicture(painter, size);
+    }
+    if (!device.commit()) {
+        return cannot("the picture could not be written whole.",
+                      "Check the free space of the disk.");
+    }
+    return {};
+}
+
+void PlotPanel::copyPicture() {
+    const QSize size(520 * plotCount(), 340);
+    QImage image(size, QImage::Format_RGB32);
+    QPainter painter(&image);
+    impl_->paintPicture(painter, size);
+    painter.end();
+    QApplication::clipboard()->setImage(image);
+}
+
+void PlotPanel::exportCsv() {
+    if (impl_->session->recording().rows.size() < 2) {
+        QMessageBox::information(this, tr("Export CSV"),
+                                 tr("There is no run to export yet. Press Space to drive first."));
+        return;
+    }
+    const QString file = QFileDialog::getSaveFileName(
+        this, tr("Export CSV"), impl_->suggestedName(".csv"), tr("CSV tables (*.csv)"));
+    if (file.isEmpty()) {
+        return;
+    }
+    QSettings().setValue("export/folder", QFileInfo(file).absolutePath());
+    const auto written = impl_->session->exportCsv(file);
+    if (!written) {
+        impl_->complain(written.problems(), tr("Export CSV"));
+    }
+}
+
+void PlotPanel::exportPicture() {
+    const QString file = QFileDialog::getSaveFileName(this, tr("Save picture of the plots"),
+                                                      impl_->suggestedName(".png"),
+                                                      tr("Pictures (*.png *.svg *.pdf)"));
+    if (file.isEmpty()) {
+        return;
+    }
+    QSettings().setValue("export/folder", QFileInfo(file).absolutePath());
+    const Problems problems = savePicture(file);
+    if (!problems.empty()) {
+        impl_->complain(problems, tr("Save picture"));
+    }
+}
+
+void PlotPanel::fit() {
+    impl_->follow->setCurrentIndex(impl_->follow->findData(kWholeRun));
+    impl_->followTime();
+    impl_->replotAll();
+}
+
+void PlotPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange && impl_ != nullptr && impl_->grid != nullptr) {
+        impl_->colors();
+    }
+    QWidget::changeEvent(event);
+}
+
+bool PlotPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Leave) {
+        impl_->mouseTime.reset();
+        impl_->schedule();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace widgets

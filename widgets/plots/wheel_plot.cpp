@@ -1,0 +1,218 @@
+#include "widgets/plots/wheel_plot.h"
+
+#include <qcustomplot.h>
+#include <algorithm>
+#include <numbers>
+
+#include "render/palette.h"
+
+namespace widgets {
+namespace {
+
+QColor colorOf(int wheel) {
+    const render::Rgb color = render::wheelColor(wheel);
+    return {color.r, color.g, color.b};
+}
+
+}  // namespace
+
+std::vector<ShownQuantity> quantitiesIn(const std::vector<simcore::run::Channel>& channels) {
+    std::vector<ShownQuantity> quantities;
+    for (const simcore::run::Channel& channel : channels) {
+        if (channel.object.empty() || channel.object == "chassis") {
+            continue;
+        }
+        const QString name = QString::fromStdString(channel.quantity);
+        const bool known = std::any_of(quantities.begin(), quantities.end(),
+                                       [&](const auto& q) { return q.quantity == name; });
+        if (known) {
+            continue;
+        }
+        ShownQuantity shown{name, QString::fromStdString(channel.label),
+                            QString::fromStdString(channel.unit), 1.0};
+        if (shown.unit == "rad") {
+            shown.unit = "deg";
+            shown.factor = 180.0 / std::numbers::pi;
+        }
+        quantities.push_back(shown);
+    }
+    return quantities;
+}
+
+WheelPlot::WheelPlot(QWidget* parent)
+    : plot_(new QCustomPlot(parent)),
+      shown_(new QCPItemStraightLine(plot_)),
+      mouse_(new QCPItemStraightLine(plot_)),
+      hint_(new QCPItemText(plot_)) {
+    plot_->setMinimumSize(200, 110);
+    plot_->setMouseTracking(true);
+    plot_->setNoAntialiasingOnDrag(true);
+    plot_->setPlottingHint(QCP::phFastPolylines);
+    plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    plot_->axisRect()->setRangeDrag(Qt::Horizontal);
+    plot_->axisRect()->setRangeZoom(Qt::Horizontal);
+    plot_->axisRect()->setMinimumMargins(QMargins(48, 6, 8, 20));
+    plot_->xAxis->setLabel(QObject::tr("time [s]"));
+    plot_->xAxis->setLabelPadding(1);
+    plot_->yAxis->setLabelPadding(3);
+    plot_->yAxis->ticker()->setTickCount(4);
+    plot_->yAxis->setNumberPrecision(4);
+    plot_->yAxis->setNumberFormat("gb");
+    for (QCPItemStraightLine* line : {shown_, mouse_}) {
+        line->point1->setCoords(0.0, 0.0);
+        line->point2->setCoords(0.0, 1.0);
+    }
+    mouse_->setVisible(false);
+    hint_->position->setType(QCPItemPosition::ptAxisRectRatio);
+    hint_->position->setCoords(0.5, 0.5);
+    hint_->setPositionAlignment(Qt::AlignCenter);
+    setWindow(0.0, 10.0);
+}
+
+void WheelPlot::start(const ShownQuantity& quantity,
+                      const std::vector<simcore::run::Channel>& channels,
+                      const std::vector<std::string>& wheels) {
+    quantity_ = quantity;
+    plot_->clearGraphs();
+    columns_.clear();
+    for (std::size_t i = 0; i < wheels.size(); ++i) {
+        columns_.push_back(
+            simcore::run::findChannel(channels, quantity.quantity.toStdString(), wheels[i]));
+        QCPGraph* graph = plot_->addGraph();
+        // One pixel: wider antialiased lines are drawn many times slower.
+        graph->setPen(QPen(colorOf(static_cast<int>(i)), 1.0));
+        graph->setName(QString::fromStdString(wheels[i]));
+        graph->setAdaptiveSampling(true);
+    }
+    plot_->yAxis->setLabel(quantity.unit == "-" ? QString() : quantity.unit);
+    plot_->setAccessibleName(QObject::tr("%1 over time").arg(quantity.label));
+}
+
+void WheelPlot::append(const simcore::run::Recording& recording, std::size_t first) {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        if (columns_[i] < 0) {
+            continue;
+        }
+        const auto column = static_cast<std::size_t>(columns_[i]);
+        const auto data = plot_->graph(static_cast<int>(i))->data();
+        for (std::size_t row = first; row < recording.rows.size(); ++row) {
+            data->add(QCPGraphData(recording.rows[row][0],
+                                   recording.rows[row][column] * quantity_.factor));
+        }
+    }
+}
+
+void WheelPlot::clearData() {
+    for (int i = 0; i < plot_->graphCount(); ++i) {
+        plot_->graph(i)->data()->clear();
+    }
+}
+
+void WheelPlot::setWheelShown(int wheel, bool shown) {
+    if (wheel < plot_->graphCount()) {
+        plot_->graph(wheel)->setVisible(shown);
+    }
+}
+
+void WheelPlot::setWindow(double from, double to) {
+    plot_->xAxis->setRange(from, to);
+    bool any = false;
+    QCPRange range;
+    for (int i = 0; i < plot_->graphCount(); ++i) {
+        if (!plot_->graph(i)->visible()) {
+            continue;
+        }
+        bool found = false;
+        const QCPRange one = plot_->graph(i)->getValueRange(found, QCP::sdBoth, QCPRange(from, to));
+        if (found) {
+            range = any ? range.expanded(one) : one;
+            any = true;
+        }
+    }
+    if (!any) {
+        range = QCPRange(0.0, 1.0);
+    }
+    // Zero is always to be seen: a magnified flat line would look like an event.
+    range.expand(0.0);
+    const double smallest = quantity_.unit == "m" ? 0.01 : 0.5;
+    if (range.size() < smallest) {
+        range.upper = range.lower + smallest;
+    }
+    const double margin = 0.06 * range.size();
+    plot_->yAxis->setRange(range.lower < 0.0 ? range.lower - margin : -0.5 * margin,
+                           range.upper + margin);
+}
+
+void WheelPlot::setMarks(double shownTime, std::optional<double> mouseTime) {
+    const auto place = [](QCPItemStraightLine* line, double time) {
+        line->point1->setCoords(time, 0.0);
+        line->point2->setCoords(time, 1.0);
+    };
+    place(shown_, shownTime);
+    place(mouse_, mouseTime.value_or(0.0));
+    mouse_->setVisible(mouseTime.has_value());
+}
+
+void WheelPlot::setHint(const QString& text) {
+    hint_->setText(text);
+    hint_->setVisible(!text.isEmpty());
+    shown_->setVisible(text.isEmpty());
+}
+
+void WheelPlot::applyColors(const QPalette& palette) {
+    text_ = palette.color(QPalette::Text);
+    background_ = palette.color(QPalette::Base);
+    grid_ = text_;
+    grid_.setAlphaF(0.14F);
+    setColors(text_, background_, grid_);
+    shown_->setPen(QPen(palette.color(QPalette::Highlight), 1.0));
+    QColor mouse = palette.color(QPalette::Text);
+    mouse.setAlphaF(0.6F);
+    mouse_->setPen(QPen(mouse, 1.0, Qt::DashLine));
+    hint_->setColor(palette.color(QPalette::PlaceholderText));
+}
+
+void WheelPlot::setColors(const QColor& text, const QColor& background, const QColor& grid) {
+    plot_->setBackground(background);
+    QColor axis = text;
+    axis.setAlphaF(0.5F);
+    for (QCPAxis* one : {plot_->xAxis, plot_->yAxis}) {
+        one->setTickLabelColor(text);
+        one->setLabelColor(text);
+        one->setBasePen(QPen(axis));
+        one->setTickPen(QPen(axis));
+        one->setSubTickPen(QPen(Qt::NoPen));
+        one->grid()->setPen(QPen(grid));
+        one->grid()->setZeroLinePen(QPen(axis));
+    }
+}
+
+void WheelPlot::replot() {
+    plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void WheelPlot::paint(QPainter& painter, const QRect& place) {
+    const bool marks = shown_->visible();
+    const bool mouse = mouse_->visible();
+    setColors(Qt::black, Qt::white, QColor(0, 0, 0, 36));
+    shown_->setVisible(false);
+    mouse_->setVisible(false);
+    // Two steps, for QCustomPlot paints from the origin in whatever device it is given.
+    QPicture picture;
+    QCPPainter recorder(&picture);
+    plot_->toPainter(&recorder, place.width(), place.height());
+    recorder.end();
+    painter.drawPicture(place.topLeft(), picture);
+    shown_->setVisible(marks);
+    mouse_->setVisible(mouse);
+    setColors(text_, background_, grid_);
+}
+
+std::optional<double> WheelPlot::timeAt(double x, double y) const {
+    if (!plot_->axisRect()->rect().contains(QPoint(static_cast<int>(x), static_cast<int>(y)))) {
+        return std::nullopt;
+    }
+    return plot_->xAxis->pixelToCoord(x);
+}
+
+}  // namespace widgets
