@@ -32,10 +32,15 @@ struct Factorisation {
     explicit Factorisation(const MatrixXd& jacobian) {
         const Index rows = jacobian.rows();
         const Index columns = jacobian.cols();
+        if (rows == 0) {  // nothing is held; Eigen cannot factorise an empty matrix
+            motions = MatrixXd::Identity(columns, columns);
+            selfStress = MatrixXd(0, 0);
+            return;
+        }
         Eigen::ColPivHouseholderQR<MatrixXd> qr;
         qr.setThreshold(kRankThreshold);
         qr.compute(jacobian.transpose());
-        rank = rows > 0 && columns > 0 ? qr.rank() : 0;
+        rank = qr.rank();
         const auto pivot = [&](Index i) { return std::abs(qr.matrixQR()(i, i)); };
         if (rank > 0) {
             const bool hasNext = rank < std::min(rows, columns);

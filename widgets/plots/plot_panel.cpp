@@ -260,7 +260,7 @@ void PlotPanel::Impl::startRun() {
         const auto& channels = session->recording().channels;
         quantities = quantitiesIn(channels.empty() ? simcore::run::makeChannels([] {
             simcore::mechanism::Mechanism one;
-            one.wheels.emplace_back();
+            one.wheels.emplace_back().name = "wheel";
             return one;
         }())
                                                    : channels);

@@ -167,3 +167,14 @@ TEST(LinkagesTest, VerdictNamesTheStrainAndDistrustsTheCount) {
     EXPECT_THAT(exact, testing::HasSubstr("Statically determinate"));
     EXPECT_THAT(exact, testing::Not(testing::HasSubstr("Grübler")));
 }
+
+TEST(LinkagesTest, BodyAloneFloatsWithSixFreedoms) {
+    Mechanism mechanism;
+    mechanism.bodies.push_back(makeBody("chassis", 1.0, Vec3::Zero()));
+    const auto report = analyse(mechanism, Model::Built);
+    EXPECT_EQ(report.gruebler, kFloating);
+    EXPECT_EQ(report.rank, 0);
+    EXPECT_EQ(report.mobility, kFloating);
+    EXPECT_EQ(report.redundant, 0);
+    EXPECT_TRUE(report.idle.empty());
+}

@@ -1,0 +1,165 @@
+// roverstudio: the studio's window.
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QTimer>
+#include <cstdio>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "simcore/base/version.h"
+#include "simcore/io/project_file.h"
+#include "widgets/session/run_bar.h"
+#include "widgets/window/file_commands.h"
+#include "widgets/window/main_window.h"
+
+namespace {
+
+constexpr int kGood = 0;
+constexpr int kAnswerIsNo = 1;
+constexpr int kWrongUse = 2;
+
+struct Options {
+    std::string file;
+    std::string screenshot;
+    std::string size = "1440x900";
+    std::string theme;
+    std::string scenario;
+    double runFor = 0.0;
+};
+
+/// "1280x800" -> size; an invalid size for anything else.
+QSize sizeFrom(const std::string& text) {
+    const QStringList parts = QString::fromStdString(text).split('x');
+    if (parts.size() != 2) {
+        return {};
+    }
+    const QSize size(parts[0].toInt(), parts[1].toInt());
+    return size.width() >= 320 && size.height() >= 240 && size.width() <= 16384 &&
+                   size.height() <= 16384
+               ? size
+               : QSize();
+}
+
+/// Lets the event loop run until `done` or for `limit` [ms].
+template <class Done>
+void waitFor(int limit, Done done) {
+    QElapsedTimer clock;
+    clock.start();
+    while (!done() && clock.elapsed() < limit) {
+        QApplication::processEvents(QEventLoop::AllEvents, 20);
+    }
+}
+
+int takeScreenshot(widgets::MainWindow& window, const Options& options) {
+    window.resize(sizeFrom(options.size));
+    window.show();
+    waitFor(600, [] { return false; });
+    if (options.runFor > 0.0) {
+        window.session().setSpeedFactor(0.0);
+        if (!window.playPause()) {
+            std::fprintf(stderr,
+                         "roverstudio: %s: scenario %s cannot run; see 'roversim validate'\n",
+                         options.file.c_str(), window.runBar().scenario().toUtf8().constData());
+            return kAnswerIsNo;
+        }
+        using State = widgets::RunSession::State;
+        constexpr int kLongest_ms = 600000;
+        waitFor(kLongest_ms, [&] {
+            return window.session().state() != State::Playing ||
+                   window.session().endTime() >= options.runFor;
+        });
+        window.session().pause();
+        window.session().setSpeedFactor(1.0);
+        if (window.session().endTime() > options.runFor) {
+            window.session().scrub(options.runFor);
+        }
+    }
+    // The plots redraw on a timer.
+    waitFor(500, [] { return false; });
+    if (!window.grab().save(QString::fromStdString(options.screenshot))) {
+        std::fprintf(stderr,
+                     "roverstudio: %s: the picture cannot be written; check that the folder exists "
+                     "and that the name ends in .png\n",
+                     options.screenshot.c_str());
+        return kAnswerIsNo;
+    }
+    return kGood;
+}
+
+int run(const Options& options) {
+    widgets::MainWindow window;
+    const bool picturing = !options.screenshot.empty();
+    if (picturing) {
+        window.setDark(true);
+    } else {
+        window.restoreLayout();
+    }
+    if (!options.theme.empty()) {
+        window.setDark(options.theme == "dark");
+    }
+    if (!options.file.empty()) {
+        if (picturing) {
+            const auto problems = window.document().open(QString::fromStdString(options.file));
+            if (!problems.empty()) {
+                std::fprintf(stderr, "roverstudio: %s\n", toString(problems).c_str());
+                return kAnswerIsNo;
+            }
+        } else {
+            window.files().openFile(QString::fromStdString(options.file));
+        }
+    }
+    if (!options.scenario.empty()) {
+        window.runBar().setScenario(QString::fromStdString(options.scenario));
+        if (window.runBar().scenario().toStdString() != options.scenario) {
+            std::fprintf(stderr, "roverstudio: %s: there is no scenario '%s'\n",
+                         options.file.c_str(), options.scenario.c_str());
+            return kAnswerIsNo;
+        }
+    }
+    if (picturing) {
+        return takeScreenshot(window, options);
+    }
+    window.show();
+    QTimer::singleShot(0, &window, [&window] { window.files().offerRecovery(); });
+    return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    CLI::App commands{"Design wheeled rovers with passive suspension and drive them over terrain.",
+                      "roverstudio"};
+    commands.set_version_flag("--version", "roverstudio " + simcore::programVersion());
+    commands.failure_message(CLI::FailureMessage::simple);
+    commands.add_option("FILE", options.file, "project to open (.rover)");
+    commands.add_option("--screenshot", options.screenshot,
+                        "picture the window into this PNG file and exit");
+    commands
+        .add_option("--size", options.size, "size of the window for --screenshot, WIDTHxHEIGHT")
+        ->check([](const std::string& text) {
+            return sizeFrom(text).isValid()
+                       ? std::string()
+                       : "'" + text + "' is not WIDTHxHEIGHT, for example 1280x800";
+        });
+    commands.add_option("--theme", options.theme, "dark or light")
+        ->check(CLI::IsMember({"dark", "light"}));
+    commands.add_option("--scenario", options.scenario, "scenario to choose");
+    commands
+        .add_option("--run-for", options.runFor,
+                    "with --screenshot: drive this long first [s of simulated time]")
+        ->check(CLI::Range(0.0, 1e5));
+    try {
+        commands.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return commands.exit(error) == 0 ? kGood : kWrongUse;
+    }
+    widgets::prepareOpenGl();
+    QApplication application(argc, argv);
+    QApplication::setOrganizationName("RoverStudio");
+    QApplication::setApplicationName("RoverStudio");
+    QApplication::setApplicationVersion(QString::fromStdString(simcore::programVersion()));
+    return run(options);
+}

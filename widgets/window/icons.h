@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QIcon>
+
+class QPalette;
+
+namespace widgets {
+
+enum class Icon { New, Open, Save, Undo, Redo };
+
+/// A line drawing in the palette's text colour, so that it suits light and dark windows.
+QIcon lineIcon(Icon icon, const QPalette& palette);
+
+}  // namespace widgets

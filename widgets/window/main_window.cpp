@@ -1,0 +1,499 @@
+#include "widgets/window/main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QToolBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "simcore/base/version.h"
+#include "simcore/project/element_names.h"
+#include "simcore/project/units.h"
+#include "widgets/document/autosave.h"
+#include "widgets/editors/parameter_panel.h"
+#include "widgets/editors/parts_tree.h"
+#include "widgets/editors/property_panel.h"
+#include "widgets/panels/mass_panel.h"
+#include "widgets/panels/mobility_panel.h"
+#include "widgets/panels/problems_panel.h"
+#include "widgets/plots/plot_panel.h"
+#include "widgets/session/manual_drive.h"
+#include "widgets/session/run_bar.h"
+#include "widgets/window/action_registry.h"
+#include "widgets/window/file_commands.h"
+#include "widgets/window/icons.h"
+#include "widgets/window/scene_link.h"
+#include "widgets/window/theme.h"
+
+namespace widgets {
+
+using simcore::project::ElementKind;
+using simcore::project::ElementRef;
+using State = RunSession::State;
+
+namespace {
+
+constexpr int kMessageTime_ms = 8000;
+constexpr int kLayoutVersion = 1;
+
+/// What is drawn at first: enough to understand the rover, not all at once.
+render::Overlays firstOverlays() {
+    render::Overlays overlays;
+    overlays.centerOfMass = true;
+    overlays.contactForces = true;
+    overlays.trail = true;
+    return overlays;
+}
+
+}  // namespace
+
+MainWindow::MainWindow()
+    : document_(new Document(this)),
+      session_(new RunSession(this)),
+      scene_(std::make_shared<render::Scene>()),
+      actions_(new ActionRegistry(this)),
+      files_(new FileCommands(document_, this)) {
+    setObjectName("mainWindow");
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    scene_->setOverlays(firstOverlays());
+    QWidget* view = makeViewport(scene_, this);
+    viewport_ = qobject_cast<Viewport*>(view);
+    setCentralWidget(view);
+    link_ = new SceneLink(document_, session_, scene_, viewport_, this);
+    makeActions();
+    makeDocks();
+    makeMenus();
+    makeToolBar();
+    makeStatusBar();
+    drive_ = new ManualDrive(session_, this);
+    connectParts();
+    onProjectChanged();
+    updateTitle();
+    updateRecent();
+    resize(1440, 900);
+    firstLayout_ = saveState(kLayoutVersion);
+}
+
+MainWindow::~MainWindow() {
+    // The scene's graphics objects go while the viewport still has its context.
+    delete takeCentralWidget();
+}
+
+void MainWindow::makeDocks() {
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    const auto add = [this](Qt::DockWidgetArea area, const QString& title, const QString& name,
+                            QWidget* content) {
+        auto* dock = new QDockWidget(title, this);
+        dock->setObjectName(name);
+        dock->setWidget(content);
+        dock->setAccessibleName(title);
+        addDockWidget(area, dock);
+        return dock;
+    };
+    QDockWidget* rover = add(Qt::LeftDockWidgetArea, tr("Rover"), "roverDock", makeLeftPanel());
+    mobility_ = new MobilityPanel(document_);
+    mass_ = new MassPanel(document_);
+    problems_ = new ProblemsPanel(document_);
+    mobilityDock_ = add(Qt::RightDockWidgetArea, tr("Mobility"), "mobilityDock", mobility_);
+    QDockWidget* mass = add(Qt::RightDockWidgetArea, tr("Mass"), "massDock", mass_);
+    problemsDock_ = add(Qt::RightDockWidgetArea, tr("Problems"), "problemsDock", problems_);
+    tabifyDockWidget(mobilityDock_, mass);
+    tabifyDockWidget(mass, problemsDock_);
+    mobilityDock_->raise();
+
+    auto* run = new QWidget;
+    runBar_ = new RunBar(session_,
+                         {actions_->at("playPause"), actions_->at("step"), actions_->at("reset")});
+    plots_ = new PlotPanel(session_);
+    auto* layout = new QVBoxLayout(run);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(runBar_);
+    layout->addWidget(plots_, 1);
+    QDockWidget* runDock = add(Qt::BottomDockWidgetArea, tr("Run and plots"), "runDock", run);
+    resizeDocks({rover, mobilityDock_}, {340, 330}, Qt::Horizontal);
+    resizeDocks({runDock}, {300}, Qt::Vertical);
+    // Arrow keys step through the run here, and do their usual work elsewhere.
+    for (const char* name : {"step", "stepBack"}) {
+        QAction* action = actions_->at(name);
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        run->addAction(action);
+        centralWidget()->addAction(action);
+    }
+    panelMenu_ = new QMenu(tr("&Panels"), this);
+    for (QDockWidget* dock : {rover, mobilityDock_, mass, problemsDock_, runDock}) {
+        panelMenu_->addAction(dock->toggleViewAction());
+    }
+}
+
+QWidget* MainWindow::makeLeftPanel() {
+    tree_ = new PartsTree(document_);
+    parameters_ = new ParameterPanel(document_);
+    properties_ = new PropertyPanel(document_);
+    editors_ = new QTabWidget;
+    editors_->setDocumentMode(true);
+    editors_->addTab(parameters_, tr("Parameters"));
+    editors_->addTab(properties_, tr("Properties"));
+    auto* splitter = new QSplitter(Qt::Vertical);
+    splitter->addWidget(tree_);
+    splitter->addWidget(editors_);
+    splitter->setStretchFactor(0, 2);
+    splitter->setStretchFactor(1, 3);
+    splitter->setSizes({280, 420});
+    splitter->setChildrenCollapsible(false);
+    return splitter;
+}
+
+void MainWindow::makeToolBar() {
+    QToolBar* bar = addToolBar(tr("Tools"));
+    bar->setObjectName("tools");
+    bar->setMovable(false);
+    bar->setIconSize({20, 20});
+    for (const char* name : {"new", "open", "save"}) {
+        bar->addAction(actions_->at(name));
+    }
+    bar->addSeparator();
+    bar->addAction(actions_->at("undo"));
+    bar->addAction(actions_->at("redo"));
+    bar->addSeparator();
+    for (const char* name : {"fit", "viewIso", "viewFront", "viewSide", "viewTop", "follow"}) {
+        bar->addAction(actions_->at(name));
+    }
+    auto* overlays = new QToolButton;
+    overlays->setText(tr("Show"));
+    overlays->setToolTip(tr("What is drawn over the rover"));
+    overlays->setAccessibleName(tr("What is drawn over the rover"));
+    overlays->setPopupMode(QToolButton::InstantPopup);
+    overlays->setMenu(overlayMenu_);
+    overlays->setObjectName("showButton");
+    bar->addWidget(overlays);
+    updateIcons();
+}
+
+void MainWindow::makeStatusBar() {
+    mobilityStatus_ = new QLabel;
+    mobilityStatus_->setAccessibleName(tr("Mobility"));
+    massStatus_ = new QLabel;
+    massStatus_->setAccessibleName(tr("Mass"));
+    problemStatus_ = new QToolButton;
+    problemStatus_->setAutoRaise(true);
+    problemStatus_->setObjectName("problemStatus");
+    connect(problemStatus_, &QToolButton::clicked, this, [this] {
+        problemsDock_->show();
+        problemsDock_->raise();
+    });
+    statusBar()->addPermanentWidget(mobilityStatus_);
+    statusBar()->addPermanentWidget(massStatus_);
+    statusBar()->addPermanentWidget(problemStatus_);
+}
+
+void MainWindow::connectParts() {
+    connect(document_, &Document::changed, this, &MainWindow::onProjectChanged);
+    connect(document_, &Document::fileChanged, this, &MainWindow::updateTitle);
+    connect(document_, &Document::modifiedChanged, this, &MainWindow::setWindowModified);
+    connect(files_, &FileCommands::message, this, &MainWindow::tell);
+    connect(files_, &FileCommands::recentFilesChanged, this, &MainWindow::updateRecent);
+
+    connect(tree_, &PartsTree::elementSelected, this, &MainWindow::selectElement);
+    connect(tree_, &PartsTree::refused, this, &MainWindow::tell);
+    connect(properties_, &PropertyPanel::refused, this, &MainWindow::tell);
+    connect(problems_, &ProblemsPanel::elementChosen, this, &MainWindow::selectElement);
+    connect(problems_, &ProblemsPanel::countChanged, this, &MainWindow::updateStatus);
+    connect(mobility_, &MobilityPanel::jointChosen, this, &MainWindow::selectJoint);
+    connect(mobility_, &MobilityPanel::wheelChosen, this, [this](int wheel) {
+        const auto& mechanism = document_->derived().mechanism;
+        if (mechanism) {
+            selectBody(mechanism->wheels.at(static_cast<std::size_t>(wheel)).body);
+        }
+    });
+    connect(mobility_, &MobilityPanel::modelChanged, this, [this] {
+        link_->setModel(mobility_->model());
+        updateStatus();
+    });
+    connect(mass_, &MassPanel::bodyChosen, this, &MainWindow::selectBody);
+    connect(link_, &SceneLink::problems, problems_, &ProblemsPanel::showMore);
+
+    connect(runBar_, &RunBar::requestChanged, this, [this] {
+        if (session_->state() == State::Playing) {
+            session_->pause();
+        }
+        link_->setScenario(runBar_->scenario());
+        if (session_->state() == State::Ready) {
+            session_->clear();
+        } else {
+            session_->setStale(true);
+        }
+        link_->showDesign();
+    });
+    connect(session_, &RunSession::finished, this, [this](const simcore::run::RunReport& report) {
+        tell(tr("Run finished after %1 s: state hash %2, friction violation %3 %, largest loop "
+                "error %4 mm")
+                 .arg(report.simTime, 0, 'f', 2)
+                 .arg(QString::fromStdString(report.stateHash))
+                 .arg(report.frictionViolationPercent, 0, 'f', 2)
+                 .arg(1e3 * report.loopErrorMax, 0, 'f', 4));
+    });
+    if (viewport_ != nullptr) {
+        connect(viewport_, &Viewport::jointPicked, this, &MainWindow::selectJoint);
+        connect(viewport_, &Viewport::bodyPicked, this, &MainWindow::selectBody);
+        viewport_->setFollow(true);
+    }
+}
+
+void MainWindow::onProjectChanged() {
+    if (session_->state() == State::Playing) {
+        session_->pause();
+    }
+    runBar_->setProject(document_->project());
+    link_->setScenario(runBar_->scenario());
+    if (session_->state() == State::Ready) {
+        session_->clear();
+    } else if (session_->hasRun()) {
+        session_->setStale(true);
+    }
+    updateStatus();
+}
+
+void MainWindow::updateTitle() {
+    setWindowTitle(tr("%1[*] - RoverStudio").arg(document_->displayName()));
+    setWindowFilePath(document_->file());
+    setWindowModified(document_->isModified());
+    session_->clear();
+    if (viewport_ != nullptr) {
+        viewport_->viewIso();
+    }
+}
+
+void MainWindow::updateStatus() {
+    const auto& derived = document_->derived();
+    if (derived.mechanism) {
+        const bool built = mobility_->model() == simcore::mobility::Model::Built;
+        const auto& report = built ? derived.built : derived.relaxed;
+        mobilityStatus_->setText((built ? tr("As built: mobility %1, %2 redundant")
+                                        : tr("Relaxed: mobility %1, %2 redundant"))
+                                     .arg(report.mobility)
+                                     .arg(report.redundant));
+        massStatus_->setText(tr("%1 kg").arg(QString::fromStdString(
+            simcore::project::formatIn(derived.mechanism->mass(), "kg", 4))));
+    } else {
+        mobilityStatus_->setText(tr("Mobility unknown"));
+        massStatus_->clear();
+    }
+    const int count = problems_->count();
+    problemStatus_->setText(count == 0 ? tr("No problems") : tr("%n problem(s)", nullptr, count));
+    problemsDock_->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%1)").arg(count));
+}
+
+void MainWindow::tell(const QString& message) {
+    statusBar()->showMessage(message, kMessageTime_ms);
+}
+
+void MainWindow::selectElement(ElementRef element) {
+    tree_->select(element);
+    if (element.kind == ElementKind::Parameter) {
+        editors_->setCurrentWidget(parameters_);
+        if (element.index >= 0) {
+            parameters_->focusParameter(
+                QString::fromStdString(nameOf(document_->project(), element)));
+        }
+        return;
+    }
+    properties_->setElement(element);
+    if (element.index < 0) {
+        return;
+    }
+    editors_->setCurrentWidget(properties_);
+    const auto& mechanism = document_->derived().mechanism;
+    if (!mechanism) {
+        return;
+    }
+    // A mirrored element stands for both; its left one is shown.
+    const std::string& name = nameOf(document_->project(), element);
+    const auto find = [&](auto finder) {
+        const int center = finder(name);
+        return center >= 0 ? center : finder(nameOnSide(name, simcore::project::Side::Left));
+    };
+    if (element.kind == ElementKind::Joint) {
+        const int joint = find([&](const std::string& n) { return mechanism->findJoint(n); });
+        link_->highlightJoint(joint);
+        mobility_->selectJoint(joint);
+    } else if (element.kind == ElementKind::Body) {
+        link_->highlightBody(find([&](const std::string& n) { return mechanism->findBody(n); }));
+    } else if (element.kind == ElementKind::Wheel) {
+        const int wheel = find([&](const std::string& n) { return mechanism->findWheel(n); });
+        link_->highlightBody(wheel < 0 ? -1
+                                       : mechanism->wheels[static_cast<std::size_t>(wheel)].body);
+    } else {
+        link_->highlightJoint(-1);
+    }
+}
+
+void MainWindow::selectJoint(int joint) {
+    const auto& mechanism = document_->derived().mechanism;
+    link_->highlightJoint(joint);
+    if (!mechanism || joint < 0 || joint >= static_cast<int>(mechanism->joints.size())) {
+        return;
+    }
+    const ElementRef element = simcore::project::findElement(
+        document_->project(), "joint " + mechanism->joints[static_cast<std::size_t>(joint)].name);
+    tree_->select(element);
+    properties_->setElement(element);
+    editors_->setCurrentWidget(properties_);
+    mobility_->selectJoint(joint);
+}
+
+void MainWindow::selectBody(int body) {
+    const auto& mechanism = document_->derived().mechanism;
+    link_->highlightBody(body);
+    mobility_->selectJoint(-1);
+    if (!mechanism || body < 0 || body >= static_cast<int>(mechanism->bodies.size())) {
+        tree_->select({});
+        return;
+    }
+    const ElementRef element = simcore::project::findElement(
+        document_->project(), "body " + mechanism->bodies[static_cast<std::size_t>(body)].name);
+    tree_->select(element);
+    properties_->setElement(element);
+    editors_->setCurrentWidget(properties_);
+}
+
+void MainWindow::setOverlay(bool render::Overlays::*overlay, bool on) {
+    render::Overlays overlays = scene_->overlays();
+    overlays.*overlay = on;
+    link_->setOverlays(overlays);
+}
+
+bool MainWindow::prepareRun() {
+    files_->autosave();
+    const auto problems = session_->prepare(document_->project(), runBar_->request(),
+                                            document_->file().toStdString());
+    if (simcore::hasCritical(problems)) {
+        problems_->showMore(problems);
+        problemsDock_->show();
+        problemsDock_->raise();
+        runBar_->showStatus(tr("Cannot run: see Problems"));
+        return false;
+    }
+    return true;
+}
+
+bool MainWindow::playPause() {
+    switch (session_->state()) {
+        case State::Playing:
+            session_->pause();
+            return true;
+        case State::Finished:
+            if (!session_->isStale()) {
+                session_->reset();
+            }
+            break;
+        default:
+            break;
+    }
+    if ((!session_->hasRun() || session_->isStale()) && !prepareRun()) {
+        return false;
+    }
+    session_->play();
+    return true;
+}
+
+void MainWindow::stepForward() {
+    if (session_->hasRun() && !session_->isLive()) {
+        session_->scrubFrames(1);
+        return;
+    }
+    if ((session_->hasRun() && !session_->isStale()) || prepareRun()) {
+        session_->stepOnce();
+    }
+}
+
+void MainWindow::setDark(bool dark) {
+    dark_ = dark;
+    applyTheme(*qApp, dark ? Theme::Dark : Theme::Light);
+    scene_->setTheme(dark);
+    actions_->at(dark ? "themeDark" : "themeLight")->setChecked(true);
+    updateIcons();
+    if (viewport_ != nullptr) {
+        viewport_->requestRedraw();
+    }
+}
+
+void MainWindow::restoreLayout() {
+    const QSettings settings;
+    restoreGeometry(settings.value("window/geometry").toByteArray());
+    restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
+    setDark(settings.value("window/dark", true).toBool());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!files_->mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    session_->pause();
+    QSettings settings;
+    settings.setValue("window/geometry", saveGeometry());
+    settings.setValue("window/state", saveState(kLayoutVersion));
+    settings.setValue("window/dark", dark_);
+    autosave::discard();
+    event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        updateIcons();
+    }
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const auto urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.front().toLocalFile().endsWith(".rover")) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    files_->openFile(event->mimeData()->urls().front().toLocalFile());
+}
+
+void MainWindow::updateIcons() {
+    if (recentMenu_ == nullptr) {
+        return;
+    }
+    const std::pair<const char*, Icon> icons[] = {{"new", Icon::New},
+                                                  {"open", Icon::Open},
+                                                  {"save", Icon::Save},
+                                                  {"undo", Icon::Undo},
+                                                  {"redo", Icon::Redo}};
+    for (const auto& [name, icon] : icons) {
+        actions_->at(name)->setIcon(lineIcon(icon, palette()));
+    }
+}
+
+void MainWindow::showAbout() {
+    QMessageBox::about(
+        this, tr("About RoverStudio"),
+        tr("<h3>RoverStudio %1</h3><p>Design wheeled rovers with passive suspension, see whether "
+           "they are statically determinate, and drive them over terrain.</p><p>After Lamon, "
+           "Thüer, Jordi and Siegwart, <i>Modeling and Optimization of Wheeled Rovers</i>, "
+           "2004.</p><p>Free software under the GNU General Public License, version 3 or later. "
+           "No warranty.</p><p>Uses Qt, OpenSceneGraph, the Open Dynamics Engine, Eigen, muParser, "
+           "QCustomPlot, nlohmann-json and fmt.</p>")
+            .arg(QString::fromStdString(simcore::programVersion())));
+}
+
+}  // namespace widgets

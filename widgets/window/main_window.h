@@ -1,0 +1,129 @@
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "render/scene.h"
+#include "simcore/project/edit.h"
+#include "widgets/document/document.h"
+#include "widgets/session/run_session.h"
+#include "widgets/viewport/viewport.h"
+
+class QLabel;
+class QMenu;
+class QSplitter;
+class QTabWidget;
+class QToolButton;
+
+namespace widgets {
+
+class ActionRegistry;
+class FileCommands;
+class ManualDrive;
+class MassPanel;
+class MobilityPanel;
+class ParameterPanel;
+class PartsTree;
+class PlotPanel;
+class ProblemsPanel;
+class PropertyPanel;
+class RunBar;
+class SceneLink;
+
+/// The studio: editors on the left, the 3D view in the middle, what follows from the design on the
+/// right, run and plots at the bottom.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+  public:
+    MainWindow();
+    ~MainWindow() override;
+
+    Document& document() { return *document_; }
+
+    RunSession& session() { return *session_; }
+
+    FileCommands& files() { return *files_; }
+
+    ActionRegistry& actions() { return *actions_; }
+
+    RunBar& runBar() { return *runBar_; }
+
+    PlotPanel& plots() { return *plots_; }
+
+    MobilityPanel& mobility() { return *mobility_; }
+
+    render::Scene& scene() { return *scene_; }
+
+    /// Null without OpenGL.
+    Viewport* viewport() { return viewport_; }
+
+    /// Starts or pauses; makes a new run when there is none or it is of another design. False when
+    /// it cannot run; the problems panel says why.
+    bool playPause();
+    void setDark(bool dark);
+    /// Window size, panels and theme as the user left them.
+    void restoreLayout();
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    void makeActions();
+    void makeFileActions();
+    void makeViewActions();
+    void makeRunActions();
+    void makeDocks();
+    QWidget* makeLeftPanel();
+    void makeMenus();
+    void makeToolBar();
+    void makeStatusBar();
+    void connectParts();
+
+    void onProjectChanged();
+    void updateTitle();
+    void updateStatus();
+    void updateIcons();
+    void updateRecent();
+    void selectElement(simcore::project::ElementRef element);
+    void selectJoint(int joint);
+    void selectBody(int body);
+    void setOverlay(bool render::Overlays::*overlay, bool on);
+    bool prepareRun();
+    void stepForward();
+    void saveScreenshot();
+    void showAbout();
+    void tell(const QString& message);
+
+    Document* document_;
+    RunSession* session_;
+    std::shared_ptr<render::Scene> scene_;
+    ActionRegistry* actions_;
+    FileCommands* files_;
+    Viewport* viewport_ = nullptr;
+    SceneLink* link_ = nullptr;
+    ManualDrive* drive_ = nullptr;
+    PartsTree* tree_ = nullptr;
+    ParameterPanel* parameters_ = nullptr;
+    PropertyPanel* properties_ = nullptr;
+    QTabWidget* editors_ = nullptr;
+    MobilityPanel* mobility_ = nullptr;
+    MassPanel* mass_ = nullptr;
+    ProblemsPanel* problems_ = nullptr;
+    RunBar* runBar_ = nullptr;
+    PlotPanel* plots_ = nullptr;
+    QDockWidget* problemsDock_ = nullptr;
+    QDockWidget* mobilityDock_ = nullptr;
+    QMenu* recentMenu_ = nullptr;
+    QMenu* overlayMenu_ = nullptr;
+    QMenu* panelMenu_ = nullptr;
+    QLabel* mobilityStatus_ = nullptr;
+    QLabel* massStatus_ = nullptr;
+    QToolButton* problemStatus_ = nullptr;
+    QByteArray firstLayout_;
+    bool dark_ = true;
+};
+
+}  // namespace widgets

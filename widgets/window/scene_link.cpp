@@ -1,0 +1,163 @@
+#include "widgets/window/scene_link.h"
+
+#include <utility>
+
+#include "simcore/terrain/terrain.h"
+
+namespace widgets {
+
+using simcore::project::ParameterValues;
+
+namespace {
+
+/// The parameters that a scenario's terrain depends on: none when it is all numbers.
+ParameterValues parametersFor(const simcore::project::Scenario& scenario,
+                              const ParameterValues& parameters) {
+    const auto& t = scenario.terrain;
+    for (const auto* quantity :
+         {&t.start, &t.height, &t.length, &t.slope, &t.radius, &scenario.run.distance}) {
+        if (!quantity->isLiteral()) {
+            return parameters;
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+SceneLink::SceneLink(Document* document, RunSession* session, std::shared_ptr<render::Scene> scene,
+                     Viewport* viewport, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      session_(session),
+      scene_(std::move(scene)),
+      viewport_(viewport) {
+    connect(document_, &Document::changed, this, &SceneLink::showDesign);
+    connect(session_, &RunSession::snapshotChanged, this, &SceneLink::showRun);
+    connect(session_, &RunSession::runChanged, this, [this] {
+        // Whatever run was shown is gone.
+        showsRun_ = false;
+        if (!session_->hasRun()) {
+            showDesign();
+        }
+    });
+    connect(session_, &RunSession::dataReplaced, this, [this] {
+        if (showsRun_) {
+            scene_->clearTrail();
+        }
+    });
+}
+
+void SceneLink::showDesign() {
+    const auto& derived = document_->derived();
+    showsRun_ = false;
+    // With critical problems the last good rover stays on show.
+    if (derived.mechanism) {
+        mechanism_ = *derived.mechanism;
+        scene_->setMechanism(mechanism_);
+        showFreedoms();
+    }
+    showTerrain();
+    redraw();
+}
+
+void SceneLink::showRun(const simcore::run::Snapshot& snapshot) {
+    if (!showsRun_) {
+        const auto& run = session_->settings();
+        mechanism_ = run.mechanism;
+        scene_->setMechanism(mechanism_);
+        scene_->setTerrain(run.terrain);
+        terrainShown_ = false;
+        showFreedoms();
+        showsRun_ = true;
+    }
+    scene_->setSnapshot(snapshot);
+    redraw();
+}
+
+void SceneLink::setScenario(const QString& name) {
+    scenario_ = name;
+    if (!showsRun_) {
+        showTerrain();
+        redraw();
+    }
+}
+
+void SceneLink::showTerrain() {
+    const auto& project = document_->project();
+    const simcore::project::Scenario* scenario = nullptr;
+    for (const auto& one : project.scenarios) {
+        if (one.name == scenario_.toStdString()) {
+            scenario = &one;
+        }
+    }
+    const auto& parameters = document_->derived().parameters;
+    if (scenario == nullptr) {
+        scene_->setTerrain(nullptr);
+        terrainShown_ = false;
+        return;
+    }
+    if (terrainShown_ && scenario->terrain == terrainOf_.terrain &&
+        scenario->run.distance == terrainOf_.run.distance &&
+        parametersFor(*scenario, parameters) == terrainParameters_) {
+        return;
+    }
+    const auto distance =
+        simcore::project::evaluate(scenario->run.distance, parameters, "distance");
+    auto terrain =
+        simcore::terrain::makeTerrain(scenario->terrain, parameters, distance ? *distance : 3.5);
+    if (!terrain) {
+        emit problems(terrain.problems());
+        scene_->setTerrain(nullptr);
+        terrainShown_ = false;
+        return;
+    }
+    scene_->setTerrain(
+        std::make_shared<const simcore::terrain::Terrain>(std::move(terrain).value()));
+    terrainOf_ = *scenario;
+    terrainParameters_ = parametersFor(*scenario, parameters);
+    terrainShown_ = true;
+}
+
+void SceneLink::setModel(simcore::mobility::Model model) {
+    model_ = model;
+    showFreedoms();
+    redraw();
+}
+
+void SceneLink::showFreedoms() {
+    std::vector<int> counts;
+    for (const auto& joint : mechanism_.joints) {
+        const auto& freedoms =
+            model_ == simcore::mobility::Model::Built ? joint.built : joint.relaxed;
+        counts.push_back(static_cast<int>(freedoms.size()));
+    }
+    scene_->setJointFreedomCounts(std::move(counts));
+}
+
+void SceneLink::setOverlays(const render::Overlays& overlays) {
+    scene_->setOverlays(overlays);
+    redraw();
+}
+
+void SceneLink::highlightJoint(int joint) {
+    const bool known = joint < static_cast<int>(mechanism_.joints.size());
+    scene_->highlightBody(-1);
+    scene_->highlightJoint(known ? joint : -1);
+    redraw();
+}
+
+void SceneLink::highlightBody(int body) {
+    const bool known = body < static_cast<int>(mechanism_.bodies.size());
+    scene_->highlightJoint(-1);
+    scene_->highlightBody(known ? body : -1);
+    redraw();
+}
+
+void SceneLink::redraw() {
+    if (viewport_ != nullptr) {
+        viewport_->requestRedraw();
+    }
+}
+
+}  // namespace widgets

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "render/scene.h"
+#include "widgets/document/document.h"
+#include "widgets/session/run_session.h"
+#include "widgets/viewport/viewport.h"
+
+namespace widgets {
+
+/// Keeps the 3D scene in step with what is looked at: the *design*, drawn standing on the chosen
+/// scenario's terrain, or an instant of a *run*, with the rover and the terrain that run was made
+/// with.
+class SceneLink : public QObject {
+    Q_OBJECT
+  public:
+    SceneLink(Document* document, RunSession* session, std::shared_ptr<render::Scene> scene,
+              Viewport* viewport, QObject* parent = nullptr);
+
+    /// The scenario whose terrain the design stands on.
+    void setScenario(const QString& name);
+    /// Model whose freedoms are written at the joints.
+    void setModel(simcore::mobility::Model model);
+    void setOverlays(const render::Overlays& overlays);
+    void highlightJoint(int joint);
+    void highlightBody(int body);
+
+    bool showsRun() const { return showsRun_; }
+
+    /// Shows the design again after looking at a run.
+    void showDesign();
+
+  signals:
+    /// Why the terrain cannot be shown.
+    void problems(const simcore::Problems& problems);
+
+  private:
+    void showRun(const simcore::run::Snapshot& snapshot);
+    void showTerrain();
+    void showFreedoms();
+    void redraw();
+
+    Document* document_;
+    RunSession* session_;
+    std::shared_ptr<render::Scene> scene_;
+    Viewport* viewport_;
+    simcore::mechanism::Mechanism mechanism_;  ///< of what is on show
+    QString scenario_;
+    simcore::mobility::Model model_ = simcore::mobility::Model::Built;
+    bool showsRun_ = false;
+    // What the design's terrain was made from.
+    simcore::project::Scenario terrainOf_;
+    simcore::project::ParameterValues terrainParameters_;
+    bool terrainShown_ = false;
+};
+
+}  // namespace widgets

@@ -1,0 +1,81 @@
+#include "widgets/window/theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace widgets {
+namespace {
+
+struct Colors {
+    QColor window, base, alternate, text, dimmed, button, highlight, onHighlight, tooltip, link;
+    QColor good, warning, bad;  ///< backgrounds of verdicts
+    QColor onVerdict;
+    QColor error;  ///< text of refusals
+};
+
+Colors colorsOf(Theme theme) {
+    if (theme == Theme::Dark) {
+        return {QColor(0x2a, 0x2d, 0x33), QColor(0x1f, 0x22, 0x27), QColor(0x26, 0x29, 0x2f),
+                QColor(0xe4, 0xe6, 0xea), QColor(0x8e, 0x95, 0xa1), QColor(0x38, 0x3c, 0x44),
+                QColor(0x3d, 0x8b, 0xd9), QColor(0xff, 0xff, 0xff), QColor(0x3a, 0x3f, 0x48),
+                QColor(0x6c, 0xb2, 0xf2), QColor(0x1e, 0x6b, 0x4c), QColor(0x8a, 0x57, 0x0c),
+                QColor(0x96, 0x2d, 0x22), QColor(0xff, 0xff, 0xff), QColor(0xff, 0x8a, 0x78)};
+    }
+    return {QColor(0xf1, 0xf2, 0xf4), QColor(0xff, 0xff, 0xff), QColor(0xf6, 0xf7, 0xf9),
+            QColor(0x1d, 0x20, 0x26), QColor(0x72, 0x79, 0x85), QColor(0xe7, 0xe9, 0xed),
+            QColor(0x1f, 0x6f, 0xb8), QColor(0xff, 0xff, 0xff), QColor(0xff, 0xff, 0xf0),
+            QColor(0x1f, 0x6f, 0xb8), QColor(0xcf, 0xec, 0xdd), QColor(0xfb, 0xe3, 0xbb),
+            QColor(0xf8, 0xd2, 0xcc), QColor(0x1d, 0x20, 0x26), QColor(0xb3, 0x26, 0x1e)};
+}
+
+QPalette paletteOf(const Colors& c) {
+    QPalette palette;
+    palette.setColor(QPalette::Window, c.window);
+    palette.setColor(QPalette::WindowText, c.text);
+    palette.setColor(QPalette::Base, c.base);
+    palette.setColor(QPalette::AlternateBase, c.alternate);
+    palette.setColor(QPalette::Text, c.text);
+    palette.setColor(QPalette::Button, c.button);
+    palette.setColor(QPalette::ButtonText, c.text);
+    palette.setColor(QPalette::BrightText, Qt::white);
+    palette.setColor(QPalette::Highlight, c.highlight);
+    palette.setColor(QPalette::HighlightedText, c.onHighlight);
+    palette.setColor(QPalette::ToolTipBase, c.tooltip);
+    palette.setColor(QPalette::ToolTipText, c.text);
+    palette.setColor(QPalette::PlaceholderText, c.dimmed);
+    palette.setColor(QPalette::Link, c.link);
+    palette.setColor(QPalette::LinkVisited, c.link);
+    palette.setColor(QPalette::Light, c.button.lighter(115));
+    palette.setColor(QPalette::Midlight, c.button.lighter(107));
+    palette.setColor(QPalette::Mid, c.button.darker(125));
+    palette.setColor(QPalette::Dark, c.button.darker(160));
+    palette.setColor(QPalette::Shadow, c.button.darker(220));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        palette.setColor(QPalette::Disabled, role, c.dimmed);
+    }
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, c.button.darker(115));
+    return palette;
+}
+
+}  // namespace
+
+void applyTheme(QApplication& application, Theme theme) {
+    const Colors c = colorsOf(theme);
+    application.setStyle(QStyleFactory::create("Fusion"));
+    application.setPalette(paletteOf(c));
+    application.setStyleSheet(
+        QString("QLabel#headline { border-radius: 4px; padding: 6px 8px; font-weight: bold; }"
+                "QLabel#headline[level=\"good\"] { background: %1; color: %4; }"
+                "QLabel#headline[level=\"warning\"] { background: %2; color: %4; }"
+                "QLabel#headline[level=\"bad\"] { background: %3; color: %4; }"
+                "QLabel#errorMessage { color: %5; }"
+                "QToolTip { color: %6; background: %7; border: 1px solid %8; }"
+                "QPushButton:checked { background: %9; color: white; border-radius: 3px; "
+                "padding: 3px 6px; }"
+                "QMainWindow::separator { width: 5px; height: 5px; }")
+            .arg(c.good.name(), c.warning.name(), c.bad.name(), c.onVerdict.name(), c.error.name(),
+                 c.text.name(), c.tooltip.name(), c.dimmed.name(), c.highlight.name()));
+}
+
+}  // namespace widgets

@@ -1,0 +1,245 @@
+// The actions and menus of the main window.
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QScreen>
+#include <QSettings>
+
+#include "simcore/io/project_file.h"
+#include "widgets/editors/parts_tree.h"
+#include "widgets/plots/plot_panel.h"
+#include "widgets/session/run_bar.h"
+#include "widgets/window/action_registry.h"
+#include "widgets/window/file_commands.h"
+#include "widgets/window/main_window.h"
+
+namespace widgets {
+
+void MainWindow::makeActions() {
+    makeFileActions();
+    makeViewActions();
+    makeRunActions();
+    actions_->add("shortcuts", tr("&Keyboard shortcuts"), {QKeySequence(Qt::Key_F1)},
+                  tr("List all shortcuts"), [this] { showShortcuts(*actions_, this); });
+    actions_->add("about", tr("&About RoverStudio"), {}, {}, [this] { showAbout(); });
+    for (QAction* action : actions_->all()) {
+        // The step keys belong to the view and the run panel alone: see makeDocks().
+        if (action != actions_->at("step") && action != actions_->at("stepBack")) {
+            addAction(action);
+        }
+    }
+}
+
+void MainWindow::makeFileActions() {
+    actions_->add("new", tr("&New"), {QKeySequence::New}, tr("An empty project"),
+                  [this] { files_->createNew(); });
+    actions_->add("open", tr("&Open..."), {QKeySequence::Open}, tr("Open a project"),
+                  [this] { files_->open(); });
+    actions_->add("save", tr("&Save"), {QKeySequence::Save}, tr("Save the project"),
+                  [this] { files_->save(); });
+    actions_->add("saveAs", tr("Save &as..."), {QKeySequence("Ctrl+Shift+S")},
+                  tr("Save under another name"), [this] { files_->saveAs(); });
+    actions_->add("exportCsv", tr("Run as &CSV..."), {QKeySequence("Ctrl+E")},
+                  tr("Write the recorded run as a table"), [this] { plots_->exportCsv(); });
+    actions_->add("exportPlots", tr("&Plots as picture..."), {},
+                  tr("Save the plots as PNG, SVG or PDF"), [this] { plots_->exportPicture(); });
+    actions_->add("copyPlots", tr("Copy pl&ots"), {QKeySequence("Ctrl+Shift+P")},
+                  tr("Copy the plots as a picture"), [this] { plots_->copyPicture(); });
+    actions_->add("screenshot", tr("3D &view as picture..."), {QKeySequence("Ctrl+Shift+V")},
+                  tr("Save the 3D view as PNG"), [this] { saveScreenshot(); });
+    actions_->at("screenshot")->setEnabled(viewport_ != nullptr);
+    actions_->add("quit", tr("&Quit"), {QKeySequence("Ctrl+Q")}, {}, [this] { close(); });
+
+    QAction* undo = document_->undoStack().createUndoAction(actions_, tr("&Undo"));
+    undo->setShortcuts({QKeySequence("Ctrl+Z")});
+    QAction* redo = document_->undoStack().createRedoAction(actions_, tr("&Redo"));
+    redo->setShortcuts({QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z")});
+    actions_->adopt("undo", undo);
+    actions_->adopt("redo", redo);
+    actions_->add("delete", tr("&Delete part"), {QKeySequence(Qt::Key_Delete)},
+                  tr("Delete the selected part"), [this] { tree_->deleteSelected(); });
+    actions_->add("duplicate", tr("D&uplicate part"), {QKeySequence("Ctrl+D")},
+                  tr("Copy the selected part"), [this] { tree_->duplicateSelected(); });
+}
+
+void MainWindow::makeViewActions() {
+    const auto view = [this](const QString& name, const QString& text, const char* key,
+                             const QString& tip, void (Viewport::*slot)()) {
+        QAction* action = actions_->add(name, text, {QKeySequence(key)}, tip);
+        action->setEnabled(viewport_ != nullptr);
+        if (viewport_ != nullptr) {
+            connect(action, &QAction::triggered, viewport_, slot);
+        }
+    };
+    view("fit", tr("&Fit"), "F", tr("Bring the whole rover into view"), &Viewport::fit);
+    view("viewIso", tr("&Oblique"), "F3", tr("Look from the front left and above"),
+         &Viewport::viewIso);
+    view("viewFront", tr("Fr&ont"), "Ctrl+1", tr("Look at the front"), &Viewport::viewFront);
+    view("viewSide", tr("&Side"), "Ctrl+2", tr("Look at the left side"), &Viewport::viewSide);
+    view("viewTop", tr("&Top"), "Ctrl+3", tr("Look down"), &Viewport::viewTop);
+    QAction* follow = actions_->add("follow", tr("Fo&llow"), {QKeySequence("L")},
+                                    tr("Keep the driving rover in view"));
+    follow->setCheckable(true);
+    follow->setChecked(true);
+    follow->setEnabled(viewport_ != nullptr);
+    if (viewport_ != nullptr) {
+        connect(follow, &QAction::toggled, viewport_, &Viewport::setFollow);
+    }
+
+    overlayMenu_ = new QMenu(tr("S&how"), this);
+    const auto overlay = [this](const QString& name, const QString& text, const char* key,
+                                bool render::Overlays::*member) {
+        QList<QKeySequence> keys;
+        if (*key != '\0') {
+            keys << QKeySequence(key);
+        }
+        QAction* action = actions_->add(name, text, keys);
+        action->setCheckable(true);
+        action->setChecked(scene_->overlays().*member);
+        connect(action, &QAction::toggled, this,
+                [this, member](bool on) { setOverlay(member, on); });
+        overlayMenu_->addAction(action);
+    };
+    overlay("showCom", tr("&Centre of mass"), "Ctrl+Shift+C", &render::Overlays::centerOfMass);
+    overlay("showSupport", tr("&Support polygon"), "Ctrl+Shift+G",
+            &render::Overlays::supportPolygon);
+    overlay("showForces", tr("Contact &forces"), "Ctrl+Shift+F", &render::Overlays::contactForces);
+    overlay("showFreedoms", tr("&Freedoms at the joints"), "Ctrl+Shift+J",
+            &render::Overlays::jointFreedoms);
+    overlay("showTrail", tr("&Trail"), "Ctrl+Shift+T", &render::Overlays::trail);
+    overlay("showGrid", tr("&Grid"), "", &render::Overlays::grid);
+    overlay("showAxes", tr("World &axes"), "", &render::Overlays::axes);
+    overlay("showShadow", tr("Sh&adow"), "", &render::Overlays::shadow);
+
+    auto* themes = new QActionGroup(this);
+    for (const bool dark : {true, false}) {
+        QAction* action =
+            actions_->add(dark ? "themeDark" : "themeLight", dark ? tr("&Dark") : tr("&Light"), {},
+                          {}, [this, dark] { setDark(dark); });
+        action->setCheckable(true);
+        themes->addAction(action);
+    }
+    actions_->add("fullScreen", tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, {},
+                  [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    actions_->add("resetLayout", tr("&Reset panels"), {}, tr("All panels back to their places"),
+                  [this] { restoreState(firstLayout_, 1); });
+}
+
+void MainWindow::makeRunActions() {
+    actions_->add("playPause", tr("&Play"), {QKeySequence(Qt::Key_Space)},
+                  tr("Drive, or pause (Space)"), [this] { playPause(); });
+    actions_->add("step", tr("&Step"), {QKeySequence(Qt::Key_Right)},
+                  tr("One time step, or one picture on while looking back (Right)"),
+                  [this] { stepForward(); });
+    actions_->add("stepBack", tr("Step &back"), {QKeySequence(Qt::Key_Left)},
+                  tr("One picture back (Left)"), [this] { session_->scrubFrames(-1); });
+    actions_->add("reset", tr("&Reset"), {QKeySequence(Qt::Key_Backspace), QKeySequence("Ctrl+R")},
+                  tr("Back to the start of the run; the design stays (Backspace)"),
+                  [this] { session_->reset(); });
+    actions_->add("faster", tr("&Faster"), {QKeySequence("+"), QKeySequence("=")},
+                  tr("Faster playback"), [this] { runBar_->changeSpeed(1); });
+    actions_->add("slower", tr("S&lower"), {QKeySequence("-")}, tr("Slower playback"),
+                  [this] { runBar_->changeSpeed(-1); });
+    actions_->add("live", tr("To the &end"), {QKeySequence(Qt::Key_End)},
+                  tr("Show the newest instant"), [this] { session_->goLive(); });
+    actions_->add("showDesign", tr("Show the &design"), {QKeySequence("Ctrl+B")},
+                  tr("Show the rover as drawn instead of the run"), [this] {
+                      session_->pause();
+                      session_->clear();
+                  });
+    actions_->add("showMobility", tr("&Mobility"), {QKeySequence("Ctrl+M")},
+                  tr("Show the mobility panel"), [this] {
+                      mobilityDock_->show();
+                      mobilityDock_->raise();
+                  });
+    actions_->add("showProblems", tr("&Problems"), {QKeySequence("Ctrl+Shift+M")},
+                  tr("Show the problems panel"), [this] {
+                      problemsDock_->show();
+                      problemsDock_->raise();
+                  });
+}
+
+void MainWindow::makeMenus() {
+    const auto fill = [this](QMenu* menu, std::initializer_list<const char*> names) {
+        for (const char* name : names) {
+            if (*name == '\0') {
+                menu->addSeparator();
+            } else {
+                menu->addAction(actions_->at(name));
+            }
+        }
+    };
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    fill(file, {"new", "open"});
+    recentMenu_ = file->addMenu(tr("Open &recent"));
+    QMenu* examples = file->addMenu(tr("Open &example"));
+    for (const QString& example : files_->exampleFiles()) {
+        const auto project = simcore::io::loadProject(example.toStdString());
+        QAction* action = examples->addAction(project ? QString::fromStdString(project->rover.name)
+                                                      : QFileInfo(example).fileName());
+        if (project) {
+            action->setToolTip(QString::fromStdString(project->rover.description));
+        }
+        connect(action, &QAction::triggered, this,
+                [this, example] { files_->openExample(example); });
+    }
+    examples->setToolTipsVisible(true);
+    file->addSeparator();
+    fill(file, {"save", "saveAs", ""});
+    QMenu* exports = file->addMenu(tr("&Export"));
+    fill(exports, {"exportCsv", "exportPlots", "screenshot"});
+    fill(file, {"", "quit"});
+    fill(menuBar()->addMenu(tr("&Edit")),
+         {"undo", "redo", "", "duplicate", "delete", "", "copyPlots"});
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    fill(view, {"fit", "viewIso", "viewFront", "viewSide", "viewTop", "", "follow"});
+    view->addMenu(overlayMenu_);
+    view->addSeparator();
+    view->addMenu(panelMenu_);
+    QMenu* theme = view->addMenu(tr("T&heme"));
+    fill(theme, {"themeDark", "themeLight"});
+    fill(view, {"resetLayout", "fullScreen"});
+    fill(menuBar()->addMenu(tr("&Run")), {"playPause", "step", "stepBack", "live", "reset", "",
+                                          "faster", "slower", "", "showDesign"});
+    fill(menuBar()->addMenu(tr("&Analyze")), {"showMobility", "showProblems"});
+    fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "about"});
+}
+
+void MainWindow::updateRecent() {
+    recentMenu_->clear();
+    for (const QString& file : files_->recentFiles()) {
+        QAction* action = recentMenu_->addAction(QFileInfo(file).fileName());
+        action->setToolTip(file);
+        connect(action, &QAction::triggered, this, [this, file] { files_->openFile(file); });
+    }
+    recentMenu_->setToolTipsVisible(true);
+    recentMenu_->setEnabled(!recentMenu_->isEmpty());
+    if (!recentMenu_->isEmpty()) {
+        recentMenu_->addSeparator();
+        connect(recentMenu_->addAction(tr("&Clear list")), &QAction::triggered, files_,
+                &FileCommands::forgetRecentFiles);
+    }
+}
+
+void MainWindow::saveScreenshot() {
+    const QImage image = viewport_->grabImage();
+    QString file =
+        QFileDialog::getSaveFileName(this, tr("Save 3D view"), "rover.png", tr("PNG (*.png)"));
+    if (file.isEmpty()) {
+        return;
+    }
+    if (QFileInfo(file).suffix().isEmpty()) {
+        file += ".png";
+    }
+    if (!image.save(file)) {
+        QMessageBox::warning(this, tr("Save 3D view"),
+                             tr("%1 could not be written. Check that the folder exists and can be "
+                                "written, and that the name ends in .png.")
+                                 .arg(file));
+    }
+}
+
+}  // namespace widgets
