@@ -40,8 +40,9 @@ struct CameraPose {
     Vec3 up = Vec3::UnitZ();
 };
 
-/// Standard views of the rover. Front looks at its front, Side at its left side.
-enum class View { Front, Side, Top, Iso };
+/// Standard views of the rover. Front looks at its front; Side at its right side, so that it drives
+/// to the right; Overview also shows the ground ahead.
+enum class View { Front, Side, Top, Iso, Overview };
 
 /// Vertical field of view of all pictures [deg].
 inline constexpr double kFieldOfView = 30.0;

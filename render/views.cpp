@@ -32,18 +32,28 @@ CameraPose Scene::view(View view, double aspect) const {
             back = Vec3(1.0, 0.0, 0.08);
             break;
         case View::Side:
-            back = Vec3(0.0, 1.0, 0.08);
+            back = Vec3(0.0, -1.0, 0.08);
             break;
         case View::Top:
             back = Vec3(0.0, 0.0, 1.0);
             camera.up = Vec3::UnitX();
             break;
         case View::Iso:
-            back = Vec3(0.74, 0.86, 0.52);
+            back = Vec3(0.62, -1.0, 0.46);
+            break;
+        case View::Overview:
+            back = Vec3(-0.22, -1.0, 0.44);
             break;
     }
     camera.eye = camera.center + back.normalized();
-    return fitted(camera, aspect);
+    camera = fitted(camera, aspect);
+    if (view == View::Overview) {
+        // The rover stands in the rear half of the picture, the obstacles before it.
+        const Vec3 ahead(0.9 * focusRadius(), 0.0, -0.1 * focusRadius());
+        camera.center += ahead;
+        camera.eye = camera.center + 1.25 * (camera.eye + ahead - camera.center);
+    }
+    return camera;
 }
 
 CameraPose Scene::fitted(const CameraPose& camera, double aspect) const {

@@ -191,7 +191,6 @@ Report analyse(const mechanism::Mechanism& mechanism, Model model) {
 
 std::string describe(const Report& report) {
     std::string text;
-    const auto plural = [](int n) { return n == 1 ? "" : "s"; };
     if (report.mobility == 0) {
         text = "Cannot move: the constraints hold every body.";
     } else if (report.mobility == 1) {
@@ -201,16 +200,15 @@ std::string describe(const Report& report) {
     }
     if (report.redundant > 0) {
         text += fmt::format(
-            " Hyperstatic: {} constraint{} repeat{} what others already hold, so {} reaction{} "
-            "cannot be told from statics and inaccurate parts strain each other.",
-            report.redundant, plural(report.redundant), report.redundant == 1 ? "s" : "",
-            report.redundant == 1 ? "that" : "their", report.redundant == 1 ? "" : "s");
+            " Hyperstatic: {} constraint{} what others already hold. {} cannot be told from "
+            "statics, and inaccurate parts strain each other.",
+            report.redundant, report.redundant == 1 ? " repeats" : "s repeat",
+            report.redundant == 1 ? "Its reaction" : "Their reactions");
     } else {
         text += " Statically determinate: every reaction follows from the loads.";
     }
     if (report.gruebler != report.mobility) {
-        text += fmt::format(" The Grübler count says {}; it cannot see that {}.", report.gruebler,
-                            "some constraints are redundant in this geometry");
+        text += fmt::format(" The Grübler count ({}) cannot see this.", report.gruebler);
     }
     if (!report.idle.empty()) {
         const int idle = static_cast<int>(report.idle.size());

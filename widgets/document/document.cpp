@@ -147,6 +147,7 @@ void Document::start(Project project, const QString& file) {
     endMerging();
     file_ = file;
     show(std::make_shared<const Project>(std::move(project)));
+    emit replaced();
     emit fileChanged();
 }
 

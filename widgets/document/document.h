@@ -55,6 +55,8 @@ class Document : public QObject {
   signals:
     /// Project and derived values are new.
     void changed();
+    /// Another project is there, not an edit of the same; comes after changed().
+    void replaced();
     void fileChanged();
     void modifiedChanged(bool modified);
 

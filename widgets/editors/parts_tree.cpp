@@ -59,7 +59,7 @@ QString freedomsText(const simcore::project::Joint& joint) {
     if (joint.free.size() == 1) {
         return joint.free[0].starts_with("turn") ? PartsTree::tr("pin") : PartsTree::tr("slider");
     }
-    return PartsTree::tr("%n freedoms", nullptr, static_cast<int>(joint.free.size()));
+    return PartsTree::tr("%1 freedoms").arg(joint.free.size());
 }
 
 }  // namespace

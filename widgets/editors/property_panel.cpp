@@ -439,8 +439,7 @@ class PropertyFormBuilder {
         auto* label = new QLabel;
         addRow(info, label);
         onRefresh([self = *this, label, field] {
-            label->setText(
-                PropertyPanel::tr("%n drawn", nullptr, static_cast<int>(self.read(field).size())));
+            label->setText(PropertyPanel::tr("%1 drawn").arg(self.read(field).size()));
         });
     }
 

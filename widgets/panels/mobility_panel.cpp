@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QStyle>
 #include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -115,12 +116,16 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     unavailable_->setWordWrap(true);
     unavailable_->setAlignment(Qt::AlignCenter);
     listTitle_->setWordWrap(true);
+    listTitle_->setToolTip(
+        tr("Removing any one of these gives no new motion. The bar is the "
+           "constraint's share in the self-stress: 100 % is wholly redundant."));
 
     list_->setColumnCount(2);
     list_->setHeaderHidden(true);
     list_->setUniformRowHeights(true);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setAccessibleName(tr("Removable constraints"));
+    list_->setMinimumHeight(90);
     list_->header()->setStretchLastSection(false);
     list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     list_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
@@ -159,7 +164,7 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
 
 void MobilityPanel::buildTable(QGridLayout* grid) {
     grid->setHorizontalSpacing(4);
-    grid->setVerticalSpacing(2);
+    grid->setVerticalSpacing(3);
     grid->setColumnStretch(0, 1);
     static constexpr std::array kNames{QT_TR_NOOP("As built"), QT_TR_NOOP("Relaxed")};
     static constexpr std::array kTips{
@@ -186,8 +191,8 @@ void MobilityPanel::buildTable(QGridLayout* grid) {
     static constexpr std::array<Line, kQuantities> kLines{{
         {QT_TR_NOOP("Grübler count"),
          QT_TR_NOOP("6 n minus the constraints: what counting alone says")},
-        {QT_TR_NOOP("Bodies"), QT_TR_NOOP("Moving bodies, welded parts merged")},
-        {QT_TR_NOOP("Joints"), QT_TR_NOOP("Wheel contacts and differentials counted")},
+        {QT_TR_NOOP("Bodies, joints"),
+         QT_TR_NOOP("Welded parts merged; wheel contacts and differentials counted as joints")},
         {QT_TR_NOOP("Constraints"), QT_TR_NOOP("Rows of the constraint Jacobian")},
         {QT_TR_NOOP("Rank"), QT_TR_NOOP("Constraints that are independent of each other")},
         {QT_TR_NOOP("Mobility"), QT_TR_NOOP("Freedoms the rover truly has: 6 n minus the rank")},
@@ -197,6 +202,7 @@ void MobilityPanel::buildTable(QGridLayout* grid) {
         const Line& line = kLines.at(static_cast<std::size_t>(i));
         auto* label = new QLabel(tr(line.label));
         label->setToolTip(tr(line.tip));
+        label->setMinimumHeight(label->sizeHint().height());
         grid->addWidget(label, i + 1, 0);
         for (int model = 0; model < 2; ++model) {
             auto* cell = new QLabel;
@@ -242,9 +248,9 @@ void MobilityPanel::showTable() {
     for (std::size_t model = 0; model < 2; ++model) {
         const Report& r = *reports.at(model);
         const std::array<QString, kQuantities> texts{
-            signedNumber(r.gruebler),    QString::number(r.bodies), QString::number(r.joints),
-            QString::number(r.rows),     QString::number(r.rank),   signedNumber(r.mobility),
-            QString::number(r.redundant)};
+            signedNumber(r.gruebler), tr("%1, %2").arg(r.bodies).arg(r.joints),
+            QString::number(r.rows),  QString::number(r.rank),
+            signedNumber(r.mobility), QString::number(r.redundant)};
         for (std::size_t i = 0; i < kQuantities; ++i) {
             QLabel* cell = cells_.at(i).at(model);
             const bool key = i == Gruebler || i == Mobility || i == Redundant;
@@ -254,7 +260,7 @@ void MobilityPanel::showTable() {
             }
             cell->setEnabled(static_cast<int>(model) == static_cast<int>(model_));
         }
-        cells_[Joints].at(model)->setToolTip(jointsTooltip(r));
+        cells_[Parts].at(model)->setToolTip(jointsTooltip(r));
     }
     const Report& r = report();
     QString level = "good";
@@ -264,15 +270,18 @@ void MobilityPanel::showTable() {
         headline = tr("Cannot move");
     } else if (r.redundant > 0) {
         level = "warning";
-        headline = tr("Hyperstatic: %n redundant constraint(s)", nullptr, r.redundant);
+        headline = r.redundant == 1 ? tr("Hyperstatic: 1 redundant constraint")
+                                    : tr("Hyperstatic: %1 redundant constraints").arg(r.redundant);
     } else if (r.mobility > 1 && !r.idle.empty()) {
-        headline = tr("Determinate, %n idle freedom(s)", nullptr, static_cast<int>(r.idle.size()));
+        headline = r.idle.size() == 1 ? tr("Determinate, 1 idle freedom")
+                                      : tr("Determinate, %1 idle freedoms").arg(r.idle.size());
     }
     headline_->setText(headline);
     if (headline_->property("level") != level) {
         headline_->setProperty("level", level);
-        // A changed property shows only after the style sheet is applied anew.
-        headline_->setStyleSheet(headline_->styleSheet());
+        // A changed property shows only after the style is applied anew.
+        headline_->style()->unpolish(headline_);
+        headline_->style()->polish(headline_);
     }
     verdict_->setText(QString::fromStdString(describe(r)));
 }
@@ -289,11 +298,9 @@ void MobilityPanel::showConstraints() {
     const Report& r = report();
     listTitle_->setVisible(r.redundant > 0);
     list_->setVisible(r.redundant > 0);
-    listTitle_->setText(
-        tr("<b>Removable constraints</b>: any one of these %1 may go without new motion, %2 of "
-           "them together. Share in self-stress:")
-            .arg(r.removable.size())
-            .arg(r.redundant));
+    listTitle_->setText(tr("<b>%1 removable constraints</b>: any one may go, %2 of them together")
+                            .arg(r.removable.size())
+                            .arg(r.redundant));
     QList<QTreeWidgetItem*> groups;
     std::map<std::string, QTreeWidgetItem*> byElement;
     for (const ConstraintName& constraint : r.removable) {

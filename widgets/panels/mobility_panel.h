@@ -35,7 +35,7 @@ class MobilityPanel : public QWidget {
     void modelChanged();
 
   private:
-    enum Quantity { Gruebler, Bodies, Joints, Rows, Rank, Mobility, Redundant, kQuantities };
+    enum Quantity { Gruebler, Parts, Rows, Rank, Mobility, Redundant, kQuantities };
 
     const simcore::mobility::Report& report() const;
     void buildTable(QGridLayout* grid);

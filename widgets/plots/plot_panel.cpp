@@ -268,7 +268,8 @@ void PlotPanel::Impl::startRun() {
             choosers.at(i)->clear();
             for (const ShownQuantity& q : quantities) {
                 choosers.at(i)->addItem(
-                    q.unit == "-" ? q.label : QString("%1 [%2]").arg(q.label, q.unit), q.quantity);
+                    q.unit == "-" ? q.label : QString("%1 [%2]").arg(q.label, prettyUnit(q.unit)),
+                    q.quantity);
             }
         }
         buildTable();
@@ -296,7 +297,8 @@ void PlotPanel::Impl::startPlot(int index) {
         plots.at(at)->setWheelShown(static_cast<int>(wheel), wheelShown[wheel]);
     }
     if (heads.at(at) != nullptr) {
-        const QString unit = found->unit == "-" ? QString() : QString(" [%1]").arg(found->unit);
+        const QString unit =
+            found->unit == "-" ? QString() : QString(" [%1]").arg(prettyUnit(found->unit));
         heads.at(at)->setText(found->label.section(" (", 0, 0) + unit);
         heads.at(at)->setToolTip(found->label + unit);
     }
@@ -326,7 +328,8 @@ void PlotPanel::Impl::buildTable() {
         toggle->setCheckable(true);
         toggle->setAutoRaise(true);
         toggle->setChecked(wheelShown[wheel]);
-        toggle->setObjectName("wheel:" + name);
+        toggle->setObjectName("wheelToggle");
+        toggle->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         toggle->setAccessibleName(PlotPanel::tr("Show %1").arg(name));
         toggle->setToolTip(PlotPanel::tr("Show or hide the curves of %1").arg(name));
         connect(toggle, &QToolButton::toggled, panel,

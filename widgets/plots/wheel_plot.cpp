@@ -16,6 +16,10 @@ QColor colorOf(int wheel) {
 
 }  // namespace
 
+QString prettyUnit(const QString& unit) {
+    return QString(unit).replace('*', QChar(0x00B7));
+}
+
 std::vector<ShownQuantity> quantitiesIn(const std::vector<simcore::run::Channel>& channels) {
     std::vector<ShownQuantity> quantities;
     for (const simcore::run::Channel& channel : channels) {
@@ -84,7 +88,7 @@ void WheelPlot::start(const ShownQuantity& quantity,
         graph->setName(QString::fromStdString(wheels[i]));
         graph->setAdaptiveSampling(true);
     }
-    plot_->yAxis->setLabel(quantity.unit == "-" ? QString() : quantity.unit);
+    plot_->yAxis->setLabel(quantity.unit == "-" ? QString() : prettyUnit(quantity.unit));
     plot_->setAccessibleName(QObject::tr("%1 over time").arg(quantity.label));
 }
 

@@ -25,6 +25,9 @@ struct ShownQuantity {
     double factor = 1.0;  ///< from the channel's unit to the one on screen
 };
 
+/// "N*m" as people write it on paper: with a middle dot.
+QString prettyUnit(const QString& unit);
+
 /// The wheel quantities that the channels of a run offer, once each.
 std::vector<ShownQuantity> quantitiesIn(const std::vector<simcore::run::Channel>& channels);
 

@@ -290,6 +290,12 @@ QString RunBar::scenario() const {
     return scenario_->currentText();
 }
 
+void RunBar::chooseFirst() {
+    scenario_->setCurrentIndex(scenario_->count() > 0 ? 0 : -1);
+    showScenario();
+    emit requestChanged();
+}
+
 void RunBar::setScenario(const QString& name) {
     const int at = scenario_->findText(name);
     if (at >= 0 && at != scenario_->currentIndex()) {

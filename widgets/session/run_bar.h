@@ -36,6 +36,8 @@ class RunBar : public QWidget {
     /// Scenario, controller and friction as chosen (empty where it is the scenario's own).
     simcore::run::RunRequest request() const;
     QString scenario() const;
+    /// The project's first scenario with its own settings: for a project just opened.
+    void chooseFirst();
     void setScenario(const QString& name);
     /// Next faster (+1) or slower (-1) entry of the speed list.
     void changeSpeed(int direction);

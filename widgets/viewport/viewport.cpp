@@ -129,7 +129,7 @@ void Viewport::resizeGL(int width, int height) {
     const double ratio = devicePixelRatioF();
     gl_->window->resized(0, 0, static_cast<int>(width * ratio), static_cast<int>(height * ratio));
     if (!placed_) {
-        viewIso();
+        viewOverview();
         placed_ = true;
     }
 }
@@ -193,6 +193,10 @@ void Viewport::viewTop() {
 
 void Viewport::viewIso() {
     showView(render::View::Iso);
+}
+
+void Viewport::viewOverview() {
+    showView(render::View::Overview);
 }
 
 void Viewport::fit() {

@@ -38,6 +38,8 @@ class Viewport : public QOpenGLWidget {
     void viewSide();
     void viewTop();
     void viewIso();
+    /// The rover and the ground ahead of it.
+    void viewOverview();
     /// Brings the whole rover into view, from the present direction.
     void fit();
     /// Keeps the rover at its place in the picture while it drives.

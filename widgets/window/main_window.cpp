@@ -113,6 +113,10 @@ void MainWindow::makeDocks() {
     tabifyDockWidget(mobilityDock_, mass);
     tabifyDockWidget(mass, problemsDock_);
     mobilityDock_->raise();
+    for (QDockWidget* dock : {mobilityDock_, mass, problemsDock_}) {
+        // The tab says what the title would, and a panel's height is dear.
+        dock->setTitleBarWidget(new QWidget(dock));
+    }
 
     auto* run = new QWidget;
     runBar_ = new RunBar(session_,
@@ -195,6 +199,9 @@ void MainWindow::makeStatusBar() {
         problemsDock_->show();
         problemsDock_->raise();
     });
+    for (QLabel* label : {mobilityStatus_, massStatus_}) {
+        label->setContentsMargins(8, 0, 8, 0);
+    }
     statusBar()->addPermanentWidget(mobilityStatus_);
     statusBar()->addPermanentWidget(massStatus_);
     statusBar()->addPermanentWidget(problemStatus_);
@@ -203,6 +210,13 @@ void MainWindow::makeStatusBar() {
 void MainWindow::connectParts() {
     connect(document_, &Document::changed, this, &MainWindow::onProjectChanged);
     connect(document_, &Document::fileChanged, this, &MainWindow::updateTitle);
+    connect(document_, &Document::replaced, this, [this] {
+        session_->clear();
+        runBar_->chooseFirst();
+        if (viewport_ != nullptr) {
+            viewport_->viewOverview();
+        }
+    });
     connect(document_, &Document::modifiedChanged, this, &MainWindow::setWindowModified);
     connect(files_, &FileCommands::message, this, &MainWindow::tell);
     connect(files_, &FileCommands::recentFilesChanged, this, &MainWindow::updateRecent);
@@ -271,10 +285,6 @@ void MainWindow::updateTitle() {
     setWindowTitle(tr("%1[*] - RoverStudio").arg(document_->displayName()));
     setWindowFilePath(document_->file());
     setWindowModified(document_->isModified());
-    session_->clear();
-    if (viewport_ != nullptr) {
-        viewport_->viewIso();
-    }
 }
 
 void MainWindow::updateStatus() {
@@ -293,7 +303,9 @@ void MainWindow::updateStatus() {
         massStatus_->clear();
     }
     const int count = problems_->count();
-    problemStatus_->setText(count == 0 ? tr("No problems") : tr("%n problem(s)", nullptr, count));
+    problemStatus_->setText(count == 0   ? tr("No problems")
+                            : count == 1 ? tr("1 problem")
+                                         : tr("%1 problems").arg(count));
     problemsDock_->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%1)").arg(count));
 }
 

@@ -73,6 +73,9 @@ void applyTheme(QApplication& application, Theme theme) {
                 "QToolTip { color: %6; background: %7; border: 1px solid %8; }"
                 "QPushButton:checked { background: %9; color: white; border-radius: 3px; "
                 "padding: 3px 6px; }"
+                "QTreeView::item { padding: 2px 0; }"
+                "QToolButton#wheelToggle { text-align: left; border: none; padding: 2px 4px; }"
+                "QToolButton#wheelToggle:hover { background: %8; border-radius: 3px; }"
                 "QMainWindow::separator { width: 5px; height: 5px; }")
             .arg(c.good.name(), c.warning.name(), c.bad.name(), c.onVerdict.name(), c.error.name(),
                  c.text.name(), c.tooltip.name(), c.dimmed.name(), c.highlight.name()));

@@ -75,10 +75,11 @@ void MainWindow::makeViewActions() {
         }
     };
     view("fit", tr("&Fit"), "F", tr("Bring the whole rover into view"), &Viewport::fit);
-    view("viewIso", tr("&Oblique"), "F3", tr("Look from the front left and above"),
+    view("viewIso", tr("&Oblique"), "F3", tr("Look from the front right and above"),
          &Viewport::viewIso);
     view("viewFront", tr("Fr&ont"), "Ctrl+1", tr("Look at the front"), &Viewport::viewFront);
-    view("viewSide", tr("&Side"), "Ctrl+2", tr("Look at the left side"), &Viewport::viewSide);
+    view("viewSide", tr("&Side"), "Ctrl+2", tr("Look at the right side: forward is to the right"),
+         &Viewport::viewSide);
     view("viewTop", tr("&Top"), "Ctrl+3", tr("Look down"), &Viewport::viewTop);
     QAction* follow = actions_->add("follow", tr("Fo&llow"), {QKeySequence("L")},
                                     tr("Keep the driving rover in view"));
