@@ -12,7 +12,7 @@ using namespace simcore;
 
 namespace {
 
-struct Options {
+struct MobilityOptions {
     std::string file;
     std::string model;
     std::vector<std::string> set;
@@ -60,7 +60,7 @@ void printTable(const std::string& rover, const std::vector<mobility::Report>& r
     }
 }
 
-int mobilityOf(const Options& options) {
+int mobilityOf(const MobilityOptions& options) {
     const auto project = loadOrComplain(options.file);
     const auto assignments = parseAssignments(options.set);
     if (!assignments) {
@@ -99,7 +99,7 @@ int mobilityOf(const Options& options) {
 }  // namespace
 
 void addMobilityCommand(CLI::App& app, int& exitCode) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MobilityOptions>();
     CLI::App* command = app.add_subcommand(
         "mobility", "Count and true mobility, redundant constraints, idle freedoms");
     command->add_option("FILE", options->file, "Project file (.rover)")->required();

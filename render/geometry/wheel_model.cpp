@@ -7,7 +7,7 @@ namespace render {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
 constexpr int kSpokes = 6;
 
 /// A wheel under construction: the frame and sizes its pieces share.
@@ -43,9 +43,9 @@ void addTyre(MeshBuilder& mesh, const WheelShape& w, int grousers) {
                 {w.half, inner + 0.4 * shoulder},
                 {w.half - 0.5 * shoulder, inner}},
                64);
-    const double length = kTurn * w.radius / ribs;
+    const double length = kFullTurn * w.radius / ribs;
     for (int i = 0; i < ribs; ++i) {
-        const double angle = kTurn * (i + 0.5) / ribs;
+        const double angle = kFullTurn * (i + 0.5) / ribs;
         const double height = depth + 0.5 * shoulder;
         mesh.box(w.center + (w.radius - 0.5 * height) * w.out(angle), w.axesAt(angle),
                  Vec3(height, (smooth ? 0.62 : 0.34) * length, 1.92 * w.half), 0.25 * depth);
@@ -67,7 +67,7 @@ void addRim(MeshBuilder& mesh, const WheelShape& w) {
                64);
     const Rgb white = *parseColor("white");
     for (int i = 0; i < kSpokes; ++i) {
-        const double angle = kTurn * i / kSpokes;
+        const double angle = kFullTurn * i / kSpokes;
         if (i == 0) {
             mesh.setMaterial(painted(white, 0.4F));
         } else {
@@ -98,8 +98,8 @@ void addMarks(MeshBuilder& mesh, const WheelShape& w, const Rgb& ring) {
     for (const double side : {-1.0, 1.0}) {
         const Vec3 face = w.center + side * 1.012 * w.half * w.axis;
         for (int i = 0; i < kSteps; ++i) {
-            const double a = kTurn * i / kSteps, b = kTurn * (i + 1) / kSteps;
-            const double middle = std::remainder(0.5 * (a + b), kTurn);
+            const double a = kFullTurn * i / kSteps, b = kFullTurn * (i + 1) / kSteps;
+            const double middle = std::remainder(0.5 * (a + b), kFullTurn);
             mesh.setMaterial(std::abs(middle) < kGap ? mark : wheelColor);
             mesh.quad({face + inner * w.out(a), face + outer * w.out(a), face + outer * w.out(b),
                        face + inner * w.out(b)},

@@ -93,7 +93,7 @@ osg::ref_ptr<osg::Texture2D> makeGlyphs() {
                 const Point dark(0.10, 0.13);
                 std::uint8_t* texel = image->data(digit * kTile + x, y);
                 const auto byte = [](double v) {
-                    return static_cast<std::uint8_t>(255.0 * v + 0.5);
+                    return static_cast<std::uint8_t>(std::lround(255.0 * v));
                 };
                 texel[0] = byte(dark.x() + (1.0 - dark.x()) * white);
                 texel[1] = byte(dark.y() + (1.0 - dark.y()) * white);

@@ -96,7 +96,7 @@ Mat3 inertiaOfCylinder(double mass, double radius, double length, const Vec3& ax
 
 std::string whyNotInertia(const Mat3& inertia) {
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia);
-    const Vec3 moments = solver.eigenvalues();  // ascending
+    const Vec3& moments = solver.eigenvalues();  // ascending
     if (!(moments.x() > 0.0)) {
         return fmt::format(
             "the smallest principal moment of inertia is {:.4g} kg m^2, not positive", moments.x());

@@ -48,8 +48,9 @@ std::optional<Enum> findIn(const std::array<Table<Enum>, N>& table, std::string_
 }
 
 template <class Enum, std::size_t N>
-std::vector<std::string> namesIn(const std::array<Table<Enum>, N>& table) {
+std::vector<std::string> namesOf(const std::array<Table<Enum>, N>& table) {
     std::vector<std::string> names;
+    names.reserve(N);
     for (const auto& entry : table) {
         names.emplace_back(entry.second);
     }
@@ -58,11 +59,17 @@ std::vector<std::string> namesIn(const std::array<Table<Enum>, N>& table) {
 
 }  // namespace
 
-std::string nameOf(ShapeKind kind) { return nameIn(kShapes, kind); }
+std::string nameOf(ShapeKind kind) {
+    return nameIn(kShapes, kind);
+}
 
-std::string nameOf(TerrainKind kind) { return nameIn(kTerrains, kind); }
+std::string nameOf(TerrainKind kind) {
+    return nameIn(kTerrains, kind);
+}
 
-std::string nameOf(ControllerKind kind) { return nameIn(kControllers, kind); }
+std::string nameOf(ControllerKind kind) {
+    return nameIn(kControllers, kind);
+}
 
 template <>
 std::optional<ShapeKind> fromName<ShapeKind>(std::string_view name) {
@@ -81,17 +88,17 @@ std::optional<ControllerKind> fromName<ControllerKind>(std::string_view name) {
 
 template <>
 std::vector<std::string> allNames<ShapeKind>() {
-    return namesIn(kShapes);
+    return namesOf(kShapes);
 }
 
 template <>
 std::vector<std::string> allNames<TerrainKind>() {
-    return namesIn(kTerrains);
+    return namesOf(kTerrains);
 }
 
 template <>
 std::vector<std::string> allNames<ControllerKind>() {
-    return namesIn(kControllers);
+    return namesOf(kControllers);
 }
 
 }  // namespace simcore::project

@@ -50,7 +50,7 @@ const QString& rendererName() {
 }
 
 bool drawsInSoftware() {
-    const QString name = rendererName();
+    const QString& name = rendererName();
     return name.contains("llvmpipe") || name.contains("softpipe") || name.contains("swrast");
 }
 
