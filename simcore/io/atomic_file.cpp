@@ -43,7 +43,9 @@ Result<bool> writeFileAtomically(const std::filesystem::path& file, std::string_
     if (descriptor < 0) {
         return systemProblem(file, "cannot create a file there");
     }
+
     struct stat old {};
+
     const mode_t mode = ::stat(target.c_str(), &old) == 0 ? old.st_mode & 0777 : 0644;
     const bool written =
         writeAll(descriptor, text) && ::fchmod(descriptor, mode) == 0 && ::fsync(descriptor) == 0;

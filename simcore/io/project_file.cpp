@@ -1,6 +1,5 @@
 #include "simcore/io/project_file.h"
 
-
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -27,7 +26,8 @@ constexpr int kVersion = 1;
 class Reader {
   public:
     Reader(std::string source, Problems& problems)
-        : source_(std::move(source)), problems_(problems) {}
+        : source_(std::move(source)),
+          problems_(problems) {}
 
     template <class T>
     void read(const Json& json, const std::string& place, T& value);
@@ -107,7 +107,10 @@ template <class T>
 class Reader::FieldReader {
   public:
     FieldReader(Reader& reader, const Json& json, const std::string& place, T& value)
-        : reader_(reader), json_(json), place_(place), value_(value) {}
+        : reader_(reader),
+          json_(json),
+          place_(place),
+          value_(value) {}
 
     template <class M>
     void required(const char* key, M T::*member) {
@@ -274,9 +277,10 @@ Json parseJson(std::string_view text, Reader& reader) {
             keys.pop_back();
         } else if (event == Json::parse_event_t::key &&
                    !keys.back().insert(parsed.get<std::string>()).second) {
-            reader.problem("", fmt::format("key '{}' is given twice in one object.",
-                                           parsed.get<std::string>()),
-                           "Remove one of them.");
+            reader.problem(
+                "",
+                fmt::format("key '{}' is given twice in one object.", parsed.get<std::string>()),
+                "Remove one of them.");
         }
         return true;
     };
@@ -294,8 +298,7 @@ Result<project::Project> parseProject(std::string_view text, const std::string& 
     } catch (const Json::parse_error& error) {
         std::string reason = error.what();
         reason = reason.substr(reason.find("] ") == std::string::npos ? 0 : reason.find("] ") + 2);
-        return Problem{Severity::Critical,
-                       sourceName + ": " + lineAndColumn(text, error.byte),
+        return Problem{Severity::Critical, sourceName + ": " + lineAndColumn(text, error.byte),
                        "this is not valid JSON (" + reason + ").",
                        "Correct the text there; a comma or a quote is often missing just before."};
     } catch (const Json::exception& error) {
@@ -309,11 +312,11 @@ Result<project::Project> parseProject(std::string_view text, const std::string& 
     }
     if (!json.contains("version") || !json["version"].is_number_integer() ||
         json["version"].get<int>() != kVersion) {
-        return Problem{Severity::Critical, sourceName,
-                       fmt::format("file version {} is not one this program reads ({}).",
-                                   json.contains("version") ? json["version"].dump() : "(none)",
-                                   kVersion),
-                       "Open it with the RoverStudio version that wrote it."};
+        return Problem{
+            Severity::Critical, sourceName,
+            fmt::format("file version {} is not one this program reads ({}).",
+                        json.contains("version") ? json["version"].dump() : "(none)", kVersion),
+            "Open it with the RoverStudio version that wrote it."};
     }
     project::Project project;
     reader.read(json, "", project);
@@ -357,8 +360,8 @@ std::filesystem::path examplesFolder() {
     namespace fs = std::filesystem;
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    for (const fs::path& candidate :
-         {program.parent_path() / "../share/roverstudio/projects", fs::path(ROVER_ASSETS_DIR) / "projects"}) {
+    for (const fs::path& candidate : {program.parent_path() / "../share/roverstudio/projects",
+                                      fs::path(ROVER_ASSETS_DIR) / "projects"}) {
         if (fs::is_directory(candidate, error)) {
             return fs::weakly_canonical(candidate, error);
         }
