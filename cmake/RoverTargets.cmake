@@ -33,3 +33,19 @@ function(rover_add_test name)
     gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
         PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT})
 endfunction()
+
+# rover_add_gui_test(NAME SOURCES... LIBS libs...): a program that opens windows,
+# as one ctest entry on a display of its own.
+function(rover_add_gui_test name)
+    cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS" ${ARGN})
+    add_executable(${name} ${ARG_SOURCES} "${CMAKE_SOURCE_DIR}/tests/support/gui_main.cpp")
+    target_link_libraries(${name} PRIVATE
+        rover_options ${ARG_LIBS} Qt6::Test Qt6::Widgets GTest::gtest GTest::gmock)
+    target_compile_definitions(${name} PRIVATE
+        ROVER_SOURCE_DIR="${CMAKE_SOURCE_DIR}" ROVER_BINARY_DIR="${CMAKE_BINARY_DIR}")
+    if(NOT ARG_TIMEOUT)
+        set(ARG_TIMEOUT 300)
+    endif()
+    add_test(NAME ${name} COMMAND xvfb-run -a -s "-screen 0 1920x1200x24" $<TARGET_FILE:${name}>)
+    set_tests_properties(${name} PROPERTIES LABELS gui TIMEOUT ${ARG_TIMEOUT})
+endfunction()

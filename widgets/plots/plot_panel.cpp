@@ -132,6 +132,9 @@ void PlotPanel::Impl::build() {
     count = std::clamp(settings.value("plots/count", 2).toInt(), 1, kMaxPlots);
     table = new QWidget;
     table->setAccessibleName(PlotPanel::tr("Values at the cursor"));
+    simcore::mechanism::Mechanism anyRover;
+    anyRover.wheels.emplace_back().name = "wheel";
+    quantities = quantitiesIn(simcore::run::makeChannels(anyRover));
     auto* body = new QHBoxLayout;
     body->setSpacing(6);
     body->addWidget(table);
@@ -211,6 +214,11 @@ QWidget* PlotPanel::Impl::makePlotColumn(int index) {
     auto* chooser = new QComboBox;
     chooser->setObjectName(QString("quantity:%1").arg(index));
     chooser->setAccessibleName(PlotPanel::tr("Quantity of plot %1").arg(index + 1));
+    for (const ShownQuantity& q : quantities) {
+        chooser->addItem(
+            q.unit == "-" ? q.label : QString("%1 [%2]").arg(q.label, prettyUnit(q.unit)),
+            q.quantity);
+    }
     layout->addWidget(chooser);
     plots.at(at) = std::make_unique<WheelPlot>(column);
     QCustomPlot* plot = plots.at(at)->widget();
@@ -254,24 +262,9 @@ void PlotPanel::Impl::startRun() {
             names.push_back(wheel.name);
         }
     }
-    if (names != wheels || quantities.empty()) {
+    if (names != wheels || table->layout() == nullptr) {
         wheels = names;
         wheelShown.assign(wheels.size(), true);
-        const auto& channels = session->recording().channels;
-        quantities = quantitiesIn(channels.empty() ? simcore::run::makeChannels([] {
-            simcore::mechanism::Mechanism one;
-            one.wheels.emplace_back().name = "wheel";
-            return one;
-        }())
-                                                   : channels);
-        for (std::size_t i = 0; i < kMaxPlots; ++i) {
-            choosers.at(i)->clear();
-            for (const ShownQuantity& q : quantities) {
-                choosers.at(i)->addItem(
-                    q.unit == "-" ? q.label : QString("%1 [%2]").arg(q.label, prettyUnit(q.unit)),
-                    q.quantity);
-            }
-        }
         buildTable();
     }
     for (int i = 0; i < kMaxPlots; ++i) {

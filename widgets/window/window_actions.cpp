@@ -144,7 +144,7 @@ void MainWindow::makeRunActions() {
                   tr("Faster playback"), [this] { runBar_->changeSpeed(1); });
     actions_->add("slower", tr("S&lower"), {QKeySequence("-")}, tr("Slower playback"),
                   [this] { runBar_->changeSpeed(-1); });
-    actions_->add("live", tr("To the &end"), {QKeySequence(Qt::Key_End)},
+    actions_->add("live", tr("To the &end"), {QKeySequence("Ctrl+End")},
                   tr("Show the newest instant"), [this] { session_->goLive(); });
     actions_->add("showDesign", tr("Show the &design"), {QKeySequence("Ctrl+B")},
                   tr("Show the rover as drawn instead of the run"), [this] {
