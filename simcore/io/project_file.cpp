@@ -311,7 +311,7 @@ Result<project::Project> parseProject(std::string_view text, const std::string& 
                        fmt::format("A project has \"format\": \"{}\".", kFormat)};
     }
     if (!json.contains("version") || !json["version"].is_number_integer() ||
-        json["version"].get<int>() != kVersion) {
+        json["version"] != kVersion) {
         return Problem{
             Severity::Critical, sourceName,
             fmt::format("file version {} is not one this program reads ({}).",

@@ -89,6 +89,11 @@ class ParameterSolver {
             number = std::get<double>(result);
             checkDimension(parameter, quantity.text());
         }
+        if (!std::isfinite(number)) {
+            problems_.push_back(parameterProblem(
+                parameter.name, "its value is not a finite number.", "Give a number."));
+            return;
+        }
         checkRange(parameter, number, overridden);
         evaluator_.define(parameter.name, number);
         values_[parameter.name] = number;
@@ -178,9 +183,20 @@ Result<ParameterValues> evaluateParameters(const Rover& rover, const std::vector
 }
 
 Result<double> evaluate(const Quantity& quantity, const ParameterValues& parameters,
-                        const std::string& element) {
+                        const std::string& element, std::string_view dimension) {
     if (quantity.isLiteral()) {
+        if (!std::isfinite(quantity.literal())) {
+            return Problem{Severity::Critical, element, "its value is not a finite number.",
+                           "Give a number."};
+        }
         return quantity.literal();
+    }
+    if (!dimension.empty()) {
+        if (const std::string why = whyWrongDimension(quantity.text(), dimension); !why.empty()) {
+            return Problem{
+                Severity::Critical, element, why + ".",
+                fmt::format("Write it in a unit of {}, or as a number in SI.", dimension)};
+        }
     }
     ExpressionEvaluator evaluator;
     for (const auto& [name, value] : parameters) {

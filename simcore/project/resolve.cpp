@@ -28,9 +28,24 @@ class Valuer {
         }
     }
 
-    double operator()(const Quantity& quantity, const std::string& element, const char* what) {
+    /// `dimension`: what a unit written in the text must be of; null = anything.
+    double operator()(const Quantity& quantity, const std::string& element, const char* what,
+                      const char* dimension) {
         if (quantity.isLiteral()) {
+            if (!std::isfinite(quantity.literal())) {
+                critical(element, fmt::format("{}: its value is not a finite number.", what),
+                         "Give a number.");
+                return 0.0;
+            }
             return quantity.literal();
+        }
+        if (dimension != nullptr) {
+            if (const std::string why = whyWrongDimension(quantity.text(), dimension);
+                !why.empty()) {
+                critical(element, fmt::format("{}: {}.", what, why),
+                         fmt::format("Write it in a unit of {}, or as a number in SI.", dimension));
+                return 0.0;
+            }
         }
         const auto result = evaluator_.evaluate(quantity.text());
         if (const auto* reason = std::get_if<std::string>(&result)) {
@@ -43,22 +58,26 @@ class Valuer {
     }
 
     Vec3 operator()(const Quantity3& quantity, const std::string& element, const char* what) {
-        return {(*this)(quantity[0], element, what), (*this)(quantity[1], element, what),
-                (*this)(quantity[2], element, what)};
+        return {(*this)(quantity[0], element, what, "length"),
+                (*this)(quantity[1], element, what, "length"),
+                (*this)(quantity[2], element, what, "length")};
     }
 
     /// As operator(), and complains unless the value is > 0.
-    double positive(const Quantity& quantity, const std::string& element, const char* what) {
-        const double value = (*this)(quantity, element, what);
-        if (!(value > 0.0) && !failed(element)) {
+    double positive(const Quantity& quantity, const std::string& element, const char* what,
+                    const char* dimension) {
+        const std::size_t before = problems_.size();
+        const double value = (*this)(quantity, element, what, dimension);
+        if (!(value > 0.0) && problems_.size() == before) {
             critical(element, fmt::format("the {} is {:.6g}, not positive.", what, value),
                      "Give a value above zero.");
         }
         return value;
     }
 
-    double notNegative(const Quantity& quantity, const std::string& element, const char* what) {
-        const double value = (*this)(quantity, element, what);
+    double notNegative(const Quantity& quantity, const std::string& element, const char* what,
+                       const char* dimension) {
+        const double value = (*this)(quantity, element, what, dimension);
         if (!(value >= 0.0)) {
             critical(element, fmt::format("the {} is {:.6g}, negative.", what, value),
                      "Give zero or more.");
@@ -75,10 +94,6 @@ class Valuer {
     }
 
   private:
-    bool failed(const std::string& element) const {
-        return !problems_.empty() && problems_.back().element == element;
-    }
-
     ExpressionEvaluator evaluator_;
     Problems& problems_;
 };
@@ -190,6 +205,14 @@ class Resolver {
         return found;
     }
 
+    void checkName(NameIndex& names, const std::string& name, const std::string& element,
+                   const char* kind) {
+        if (name.empty() || !names.add(name, 0)) {
+            value_.critical(element, name.empty() ? "it has no name." : "the name is used twice.",
+                            fmt::format("Give every {} its own name.", kind));
+        }
+    }
+
     int bodyOfPart(int part) const {
         return part < 0 ? -1 : bodyOfPart_[static_cast<std::size_t>(part)];
     }
@@ -213,24 +236,24 @@ mechanism::Shape Resolver::readShape(const Shape& shape, const std::string& elem
     switch (shape.kind) {
         case ShapeKind::Box:
             out.center = mirroredPoint(value_(shape.center, element, "box center"), side);
-            out.size = {value_.positive(shape.size[0], element, "box length"),
-                        value_.positive(shape.size[1], element, "box width"),
-                        value_.positive(shape.size[2], element, "box height")};
-            out.pitch = value_(shape.pitch, element, "box pitch");
+            out.size = {value_.positive(shape.size[0], element, "box length", "length"),
+                        value_.positive(shape.size[1], element, "box width", "length"),
+                        value_.positive(shape.size[2], element, "box height", "length")};
+            out.pitch = value_(shape.pitch, element, "box pitch", "angle");
             break;
         case ShapeKind::Sphere:
             out.center = mirroredPoint(value_(shape.center, element, "sphere center"), side);
-            out.radius = value_.positive(shape.radius, element, "sphere radius");
+            out.radius = value_.positive(shape.radius, element, "sphere radius", "length");
             break;
         case ShapeKind::Cylinder:
         case ShapeKind::Bar:
             out.from = mirroredPoint(value_(shape.from, element, "shape end"), side);
             out.to = mirroredPoint(value_(shape.to, element, "shape end"), side);
             if (shape.kind == ShapeKind::Cylinder) {
-                out.radius = value_.positive(shape.radius, element, "cylinder radius");
+                out.radius = value_.positive(shape.radius, element, "cylinder radius", "length");
             } else {
-                out.width = value_.positive(shape.width, element, "bar width");
-                out.height = value_.positive(shape.height, element, "bar height");
+                out.width = value_.positive(shape.width, element, "bar width", "length");
+                out.height = value_.positive(shape.height, element, "bar height", "length");
             }
             if ((out.to - out.from).norm() < 1e-9) {
                 value_.critical(element, "a shape's two ends coincide.", "Move one of them.");
@@ -250,7 +273,7 @@ void Resolver::readParts() {
         const std::string element = "body " + copy.name;
         Part part;
         part.name = copy.name;
-        part.mass.mass = value_.positive(body.mass, element, "mass");
+        part.mass.mass = value_.positive(body.mass, element, "mass", "mass");
         part.mass.com = mirroredPoint(value_(body.com, element, "com"), copy.side);
         for (const Shape& shape : body.shapes) {
             part.shapes.push_back(readShape(shape, element, copy.side));
@@ -259,7 +282,7 @@ void Resolver::readParts() {
             part.inertiaGiven = true;
             std::array<double, 6> i{};
             for (std::size_t k = 0; k < 6; ++k) {
-                i[k] = value_((*body.inertia)[k], element, "inertia");
+                i[k] = value_((*body.inertia)[k], element, "inertia", "inertia");
             }
             Mat3 inertia;
             inertia << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
@@ -277,10 +300,12 @@ void Resolver::readParts() {
 }
 
 void Resolver::readPayloads() {
+    NameIndex names;
     for (const auto& copy : expandMirrored(rover_.payloads)) {
         const std::string element = "payload " + copy.name;
+        checkName(names, copy.name, element, "payload");
         const int part = findPart(copy.element->body, copy.side, element);
-        const double mass = value_.positive(copy.element->mass, element, "mass");
+        const double mass = value_.positive(copy.element->mass, element, "mass", "mass");
         const Vec3 position =
             mirroredPoint(value_(copy.element->position, element, "position"), copy.side);
         if (part >= 0) {
@@ -378,8 +403,8 @@ void Resolver::readJoints() {
         }
         readFreedoms(joint, element, copy.side, out);
         if (joint.stops) {
-            const double low = value_((*joint.stops)[0], element, "lower stop");
-            const double high = value_((*joint.stops)[1], element, "upper stop");
+            const double low = value_((*joint.stops)[0], element, "lower stop", "angle");
+            const double high = value_((*joint.stops)[1], element, "upper stop", "angle");
             if (!(low <= 0.0 && high >= 0.0 && low < high)) {
                 value_.critical(element,
                                 fmt::format("stops {:.4g} and {:.4g} rad do not enclose the drawn "
@@ -389,7 +414,7 @@ void Resolver::readJoints() {
             }
             out.stops = {low, high};
         }
-        out.damping = value_.notNegative(joint.damping, element, "damping");
+        out.damping = value_.notNegative(joint.damping, element, "damping", "torsional damping");
         const bool weld = joint.locked || joint.free.empty();
         jointParts.emplace_back(first, second);
         welded.push_back(weld);
@@ -463,12 +488,15 @@ void Resolver::readWheels() {
         out.name = copy.name;
         out.body = bodyOfPart(findPart(wheel.body, copy.side, element));
         out.axle = findJoint(wheel.axle, copy.side, element);
-        out.radius = value_.positive(wheel.radius, element, "radius");
-        out.width = value_.positive(wheel.width, element, "width");
+        out.radius = value_.positive(wheel.radius, element, "radius", "length");
+        out.width = value_.positive(wheel.width, element, "width", "length");
         out.grousers = wheel.grousers;
-        out.torqueLimit = value_.positive(wheel.motor.torqueLimit, element, "torque limit");
-        out.speedLimit = value_.positive(wheel.motor.speedLimit, element, "speed limit");
-        out.rotorInertia = value_.notNegative(wheel.motor.rotorInertia, element, "rotor inertia");
+        out.torqueLimit =
+            value_.positive(wheel.motor.torqueLimit, element, "torque limit", "torque");
+        out.speedLimit =
+            value_.positive(wheel.motor.speedLimit, element, "speed limit", "angular speed");
+        out.rotorInertia =
+            value_.notNegative(wheel.motor.rotorInertia, element, "rotor inertia", "inertia");
         out.relaxedLateral = wheel.relaxedLateral;
         if (wheel.grousers < 0 || wheel.grousers > 200) {
             value_.critical(element, fmt::format("{} grousers cannot be drawn.", wheel.grousers),
@@ -477,11 +505,7 @@ void Resolver::readWheels() {
         if (!wheel.steering.empty()) {
             findJoint(wheel.steering, copy.side, element);
         }
-        if (copy.name.empty() || !names.add(copy.name, 0)) {
-            value_.critical(element,
-                            copy.name.empty() ? "it has no name." : "the name is used twice.",
-                            "Give every wheel its own name.");
-        }
+        checkName(names, copy.name, element, "wheel");
         if (out.axle >= kLocked) {
             value_.critical(element, "its axle is locked or has no freedom.", "Unlock the axle.");
         } else if (out.axle >= 0 && out.body >= 0) {
@@ -540,15 +564,20 @@ void Resolver::readWheels() {
 }
 
 void Resolver::readSprings() {
+    NameIndex names;
     for (const auto& copy : expandMirrored(rover_.springs)) {
         const Spring& spring = *copy.element;
         const std::string element = "spring " + copy.name;
+        checkName(names, copy.name, element, "spring");
         mechanism::Spring out;
         out.name = copy.name;
-        out.stiffness = value_.notNegative(spring.stiffness, element, "stiffness");
-        out.preload = value_(spring.preload, element, "preload");
-        out.damping = value_.notNegative(spring.damping, element, "damping");
-        if (!spring.joint.empty()) {
+        const bool torsion = !spring.joint.empty();
+        out.stiffness = value_.notNegative(spring.stiffness, element, "stiffness",
+                                           torsion ? "torsional stiffness" : "stiffness");
+        out.preload = value_(spring.preload, element, "preload", torsion ? "torque" : "force");
+        out.damping = value_.notNegative(spring.damping, element, "damping",
+                                         torsion ? "torsional damping" : "damping");
+        if (torsion) {
             out.joint = findJoint(spring.joint, copy.side, element);
             if (out.joint >= kLocked) {
                 value_.critical(element, "its joint is locked.",
@@ -573,13 +602,15 @@ void Resolver::readSprings() {
 }
 
 void Resolver::readGears() {
+    NameIndex names;
     for (const Gear& gear : rover_.gears) {
         const std::string element = "gear " + gear.name;
+        checkName(names, gear.name, element, "gear");
         mechanism::Gear out;
         out.name = gear.name;
         out.firstJoint = findJoint(gear.firstJoint, Side::Center, element);
         out.secondJoint = findJoint(gear.secondJoint, Side::Center, element);
-        out.ratio = value_(gear.ratio, element, "ratio");
+        out.ratio = value_(gear.ratio, element, "ratio", "ratio");
         for (const int joint : {out.firstJoint, out.secondJoint}) {
             const bool pin = joint >= 0 && joint < kLocked &&
                              mechanism_.joints[static_cast<std::size_t>(joint)].built.size() == 1;

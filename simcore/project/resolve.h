@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "simcore/base/result.h"
@@ -27,9 +28,10 @@ Result<ParameterValues> evaluateParameters(const Rover& rover,
                                            const std::vector<Override>& variant = {},
                                            const std::vector<Assignment>& assignments = {});
 
-/// The value of one quantity [SI]; problems name `element`.
+/// The value of one quantity [SI], a finite number; problems name `element`. A unit written in the
+/// text must be of the `dimension` when one is given ("length", ...).
 Result<double> evaluate(const Quantity& quantity, const ParameterValues& parameters,
-                        const std::string& element);
+                        const std::string& element, std::string_view dimension = {});
 
 /// The mechanism of a rover with the given parameter values. *All* problems found are returned, not
 /// only the first; a mechanism comes with warnings only.

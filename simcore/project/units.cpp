@@ -121,6 +121,14 @@ std::optional<ValueWithUnit> splitUnit(std::string_view text) {
     return ValueWithUnit{std::string(bestValue), best};
 }
 
+std::string whyWrongDimension(std::string_view text, std::string_view dimension) {
+    const auto written = splitUnit(text);
+    if (!written || written->unit->dimension == dimension) {
+        return {};
+    }
+    return fmt::format("'{}' is a {}, but this is a {}", text, written->unit->dimension, dimension);
+}
+
 std::string formatIn(double valueSi, std::string_view unit, int digits) {
     const Unit* found = findUnit(unit);
     return fmt::format("{:.{}g}", found ? valueSi / found->factor : valueSi, digits);

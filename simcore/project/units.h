@@ -29,6 +29,10 @@ struct ValueWithUnit {
 
 std::optional<ValueWithUnit> splitUnit(std::string_view text);
 
+/// Why text such as "12 kg" is no `dimension` ("length", ...), as a clause; empty when it is, or
+/// when no unit is written.
+std::string whyWrongDimension(std::string_view text, std::string_view dimension);
+
 /// SI value as shown: in `unit` with at most `digits` significant digits, e.g. "70".
 std::string formatIn(double valueSi, std::string_view unit, int digits = 7);
 

@@ -24,8 +24,9 @@ void append(Problems& problems, const Problems& more) {
 }
 
 void checkNumber(const Quantity& quantity, const ParameterValues& parameters,
-                 const std::string& element, const char* what, Range range, Problems& problems) {
-    const auto value = evaluate(quantity, parameters, element + ", " + what);
+                 const std::string& element, const char* what, const char* dimension, Range range,
+                 Problems& problems) {
+    const auto value = evaluate(quantity, parameters, element + ", " + what, dimension);
     append(problems, value.problems());
     if (value && !(*value >= range.low && *value <= range.high)) {
         problems.push_back(
@@ -61,22 +62,23 @@ void validateScenario(const Project& project, const Scenario& scenario, Problems
     if (!parameters) {
         return;  // reported with the rover or the variant
     }
-    const auto check = [&](const Quantity& quantity, const char* what, Range range) {
-        checkNumber(quantity, *parameters, element, what, range, problems);
+    const auto check = [&](const Quantity& quantity, const char* what, const char* dimension,
+                           Range range) {
+        checkNumber(quantity, *parameters, element, what, dimension, range, problems);
     };
-    check(scenario.soil.friction, "friction", {0.0, 5.0});
-    check(scenario.soil.rollingResistance, "rolling resistance", {0.0, 1.0});
-    check(scenario.controller.speed, "speed", {-10.0, 10.0});
-    check(scenario.controller.assumedFriction, "assumed friction", {0.0, 5.0});
-    check(scenario.controller.period, "controller period", {1e-4, 1.0});
-    check(scenario.controller.proportional, "proportional gain", {0.0, 1e6});
-    check(scenario.controller.integral, "integral gain", {0.0, 1e6});
-    check(scenario.controller.derivative, "derivative gain", {0.0, 1e6});
-    check(scenario.run.step, "step", {1e-5, 0.02});
-    check(scenario.run.distance, "distance", {0.01, 1000.0});
-    check(scenario.run.duration, "duration", {0.0, 1e5});
-    check(scenario.run.settle, "settling time", {0.0, 60.0});
-    check(scenario.run.ramp, "ramp time", {0.0, 60.0});
+    check(scenario.soil.friction, "friction", "ratio", {0.0, 5.0});
+    check(scenario.soil.rollingResistance, "rolling resistance", "ratio", {0.0, 1.0});
+    check(scenario.controller.speed, "speed", "speed", {-10.0, 10.0});
+    check(scenario.controller.assumedFriction, "assumed friction", "ratio", {0.0, 5.0});
+    check(scenario.controller.period, "controller period", "time", {1e-4, 1.0});
+    check(scenario.controller.proportional, "proportional gain", "", {0.0, 1e6});
+    check(scenario.controller.integral, "integral gain", "", {0.0, 1e6});
+    check(scenario.controller.derivative, "derivative gain", "", {0.0, 1e6});
+    check(scenario.run.step, "step", "time", {1e-5, 0.02});
+    check(scenario.run.distance, "distance", "length", {0.01, 1000.0});
+    check(scenario.run.duration, "duration", "time", {0.0, 1e5});
+    check(scenario.run.settle, "settling time", "time", {0.0, 60.0});
+    check(scenario.run.ramp, "ramp time", "time", {0.0, 60.0});
 }
 
 }  // namespace

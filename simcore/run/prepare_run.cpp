@@ -38,8 +38,10 @@ class NumberReader {
           element_(std::move(element)),
           problems_(problems) {}
 
-    double operator()(const Quantity& quantity, const char* what, double low, double high) {
-        const auto value = project::evaluate(quantity, parameters_, element_ + ", " + what);
+    double operator()(const Quantity& quantity, const char* what, const char* dimension, double low,
+                      double high) {
+        const auto value =
+            project::evaluate(quantity, parameters_, element_ + ", " + what, dimension);
         if (!value) {
             problems_.insert(problems_.end(), value.problems().begin(), value.problems().end());
             return low;
@@ -120,19 +122,21 @@ std::optional<ResolvedRun> readRun(const project::Project& project,
     NumberReader number(*parameters, element, problems);
     run.scenario = scenario.name;
     run.controller = scenario.controller.kind;
-    run.speed = number(scenario.controller.speed, "speed", -10.0, 10.0);
-    run.assumedFriction = number(scenario.controller.assumedFriction, "assumed friction", 0.0, 5.0);
-    run.controlPeriod = number(scenario.controller.period, "controller period", 1e-4, 1.0);
-    run.proportional = number(scenario.controller.proportional, "proportional gain", 0.0, 1e6);
-    run.integral = number(scenario.controller.integral, "integral gain", 0.0, 1e6);
-    run.derivative = number(scenario.controller.derivative, "derivative gain", 0.0, 1e6);
-    run.friction = number(scenario.soil.friction, "friction", 0.0, 5.0);
-    run.rollingResistance = number(scenario.soil.rollingResistance, "rolling resistance", 0.0, 1.0);
-    run.step = number(scenario.run.step, "step", 1e-5, 0.02);
-    run.distance = number(scenario.run.distance, "distance", 0.01, 1000.0);
-    run.duration = number(scenario.run.duration, "duration", 0.0, 1e5);
-    run.settle = number(scenario.run.settle, "settling time", 0.0, 60.0);
-    run.ramp = number(scenario.run.ramp, "ramp time", 0.0, 60.0);
+    run.speed = number(scenario.controller.speed, "speed", "speed", -10.0, 10.0);
+    run.assumedFriction =
+        number(scenario.controller.assumedFriction, "assumed friction", "ratio", 0.0, 5.0);
+    run.controlPeriod = number(scenario.controller.period, "controller period", "time", 1e-4, 1.0);
+    run.proportional = number(scenario.controller.proportional, "proportional gain", "", 0.0, 1e6);
+    run.integral = number(scenario.controller.integral, "integral gain", "", 0.0, 1e6);
+    run.derivative = number(scenario.controller.derivative, "derivative gain", "", 0.0, 1e6);
+    run.friction = number(scenario.soil.friction, "friction", "ratio", 0.0, 5.0);
+    run.rollingResistance =
+        number(scenario.soil.rollingResistance, "rolling resistance", "ratio", 0.0, 1.0);
+    run.step = number(scenario.run.step, "step", "time", 1e-5, 0.02);
+    run.distance = number(scenario.run.distance, "distance", "length", 0.01, 1000.0);
+    run.duration = number(scenario.run.duration, "duration", "time", 0.0, 1e5);
+    run.settle = number(scenario.run.settle, "settling time", "time", 0.0, 60.0);
+    run.ramp = number(scenario.run.ramp, "ramp time", "time", 0.0, 60.0);
     run.seed = scenario.run.seed;
     if (run.mechanism.wheels.empty()) {
         problems.push_back({Severity::Critical, "rover " + run.mechanism.name,

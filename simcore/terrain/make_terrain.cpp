@@ -34,7 +34,8 @@ class TerrainMaker {
           element_("terrain " + project::nameOf(spec.kind)),
           travel_(travel) {
         n_ = {number(spec.start, parameters, "start"), number(spec.height, parameters, "height"),
-              number(spec.length, parameters, "length"), number(spec.slope, parameters, "slope"),
+              number(spec.length, parameters, "length"),
+              number(spec.slope, parameters, "slope", "angle"),
               number(spec.radius, parameters, "radius")};
     }
 
@@ -51,8 +52,9 @@ class TerrainMaker {
 
   private:
     double number(const project::Quantity& quantity, const project::ParameterValues& parameters,
-                  const char* what) {
-        const auto value = project::evaluate(quantity, parameters, element_ + ", " + what);
+                  const char* what, const char* dimension = "length") {
+        const auto value =
+            project::evaluate(quantity, parameters, element_ + ", " + what, dimension);
         problems_.insert(problems_.end(), value.problems().begin(), value.problems().end());
         return value ? *value : 0.0;
     }

@@ -1,0 +1,237 @@
+#include <cmath>
+#include <functional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "simcore/project/edit.h"
+#include "simcore/project/resolve.h"
+#include "tests/support/projects.h"
+
+using namespace simcore;
+using namespace simcore::project;
+using namespace testsupport;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+namespace {
+
+Quantity text(const char* expression) {
+    return Quantity::expression(expression);
+}
+
+/// One way to spoil the cart, and the element and reason that must be named.
+struct Mistake {
+    const char* name;
+    std::function<void(Project&)> make;
+    const char* element;
+    const char* reason;
+};
+
+std::vector<Mistake> mistakes() {
+    return {
+        {"NanMass", [](Project& p) { p.rover.bodies[0].mass = std::nan(""); }, "body chassis",
+         "not a finite number"},
+        {"InfiniteCom", [](Project& p) { p.rover.bodies[0].com[2] = INFINITY; }, "body chassis",
+         "not a finite number"},
+        {"NegativeMass", [](Project& p) { p.rover.bodies[0].mass = -1.0; }, "body chassis",
+         "not positive"},
+        {"WrongUnitOfMass", [](Project& p) { p.rover.bodies[0].mass = text("12 cm"); },
+         "body chassis", "'12 cm' is a length, but this is a mass"},
+        {"WrongUnitOfRadius", [](Project& p) { p.rover.wheels[0].radius = text("3 kg"); },
+         "wheel wheel_left", "is a mass, but this is a length"},
+        {"WrongUnitOfParameter", [](Project& p) { p.rover.parameters[0].value = text("100 deg"); },
+         "parameter wheel_radius", "is a angle"},
+        {"UnknownParameter", [](Project& p) { p.rover.wheels[0].radius = text("wheel_radios"); },
+         "wheel wheel_left", "wheel_radios"},
+        {"Circle", [](Project& p) { p.rover.parameters[0].value = text("track/4"); },
+         "parameter wheel_radius", "depends on itself"},
+        {"ParameterNamedTwice", [](Project& p) { p.rover.parameters[1].name = "wheel_radius"; },
+         "parameter wheel_radius", "used twice"},
+        {"ParameterNamedLikeAFunction", [](Project& p) { p.rover.parameters[1].name = "sin"; },
+         "parameter sin", "cannot be used"},
+        {"ParameterOutOfRange", [](Project& p) { p.rover.parameters[0].value = 2.0; },
+         "parameter wheel_radius", "above its maximum"},
+        {"NanParameter", [](Project& p) { p.rover.parameters[0].value = std::nan(""); },
+         "parameter wheel_radius", "not a finite number"},
+        {"MissingBody", [](Project& p) { p.rover.joints[0].second = "weel"; }, "joint axle_left",
+         "no body 'weel'"},
+        {"MissingAxle", [](Project& p) { p.rover.wheels[0].axle = "axel"; }, "wheel wheel_left",
+         "no joint 'axel'"},
+        {"NoBodies", [](Project& p) { p.rover.bodies.clear(); }, "rover Cart", "no bodies"},
+        {"BodyNamedTwice", [](Project& p) { p.rover.bodies.push_back(p.rover.bodies[0]); },
+         "body chassis", "used twice"},
+        {"JointNamedTwice", [](Project& p) { p.rover.joints.push_back(p.rover.joints[0]); },
+         "joint axle_left", "used twice"},
+        {"WheelNamedTwice", [](Project& p) { p.rover.wheels.push_back(p.rover.wheels[0]); },
+         "wheel wheel_left", "used twice"},
+        {"PayloadNamedTwice",
+         [](Project& p) {
+             Payload load;
+             load.name = "box";
+             load.body = "chassis";
+             load.mass = 1.0;
+             p.rover.payloads = {load, load};
+         },
+         "payload box", "used twice"},
+        {"SpringWithoutName",
+         [](Project& p) {
+             Spring spring;
+             spring.joint = "axle_left";
+             spring.stiffness = 1.0;
+             p.rover.springs = {spring};
+         },
+         "spring ", "no name"},
+        {"NegativeStiffness",
+         [](Project& p) {
+             Spring spring;
+             spring.name = "s";
+             spring.joint = "axle_left";
+             spring.stiffness = -1.0;
+             p.rover.springs = {spring};
+         },
+         "spring s", "negative"},
+        {"JointToItself", [](Project& p) { p.rover.joints[0].second = "chassis"; },
+         "joint axle_left", "joins a body to itself"},
+        {"NoAxis",
+         [](Project& p) {
+             p.rover.joints[0].axis = {0.0, 0.0, 0.0};
+         },
+         "joint axle_left", "no length"},
+        {"UnknownFreedom", [](Project& p) { p.rover.joints[0].free = {"turn sideways"}; },
+         "joint axle_left", "not understood"},
+        {"SameFreedomTwice",
+         [](Project& p) {
+             p.rover.joints[0].free = {"turn y", "turn y"};
+         },
+         "joint axle_left", "same or dependent"},
+        {"StopsTheWrongWayRound",
+         [](Project& p) {
+             p.rover.joints[0].stops = {{text("10 deg"), text("-10 deg")}};
+         },
+         "joint axle_left", "do not enclose"},
+        {"ImpossibleInertia",
+         [](Project& p) {
+             p.rover.bodies[0].inertia = {{0.1, 0.1, 0.5, 0.0, 0.0, 0.0}};
+         },
+         "body chassis", "impossible"},
+        {"BodyNotJoined",
+         [](Project& p) {
+             Body lost;
+             lost.name = "lost";
+             lost.mass = 1.0;
+             p.rover.bodies.push_back(lost);
+         },
+         "body lost", "no joint connects it"},
+        {"UnknownVariant", [](Project& p) { p.scenarios[0].variant = "small"; }, "scenario step",
+         "no variant 'small'"},
+        {"VariantSetsUnknownParameter",
+         [](Project& p) { p.variants[0].set[0].parameter = "radius"; }, "parameter radius",
+         "no parameter of this name"},
+        {"VariantSetsDerivedParameter",
+         [](Project& p) { p.variants[0].set[0].parameter = "track"; }, "parameter track",
+         "derived"},
+        {"VariantOutOfRange", [](Project& p) { p.variants[0].set[0].value = 0.7; },
+         "parameter wheel_radius", "above its maximum"},
+        {"ScenarioNamedTwice", [](Project& p) { p.scenarios.push_back(p.scenarios[0]); },
+         "scenario step", "used twice"},
+        {"NegativeFriction", [](Project& p) { p.scenarios[0].soil.friction = -0.1; },
+         "scenario step, friction", "not between"},
+        {"StepOfNoTime", [](Project& p) { p.scenarios[0].run.step = 0.0; }, "scenario step, step",
+         "not between"},
+        {"SpeedInMetres", [](Project& p) { p.scenarios[0].controller.speed = text("10 cm"); },
+         "scenario step, speed", "is a length, but this is a speed"},
+    };
+}
+
+bool names(const Problem& problem, const Mistake& mistake) {
+    return problem.severity == Severity::Critical &&
+           problem.element.find(mistake.element) != std::string::npos &&
+           problem.reason.find(mistake.reason) != std::string::npos;
+}
+
+}  // namespace
+
+class MistakeTest : public testing::TestWithParam<Mistake> {};
+
+TEST_P(MistakeTest, IsNamedWithReasonAndRemedy) {
+    Project project = cart();
+    GetParam().make(project);
+    const Problems problems = validate(project);
+    const bool found = std::any_of(problems.begin(), problems.end(),
+                                   [](const Problem& p) { return names(p, GetParam()); });
+    EXPECT_TRUE(found) << "found only:\n" << toString(problems);
+    for (const Problem& problem : problems) {
+        EXPECT_THAT(problem.element, Not(IsEmpty()));
+        EXPECT_THAT(problem.reason, Not(IsEmpty()));
+        EXPECT_THAT(problem.remedy, Not(IsEmpty())) << toString(problem);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MistakeTest, testing::ValuesIn(mistakes()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(ValidateTest, GoodProjectHasNoProblems) {
+    EXPECT_THAT(validate(cart()), IsEmpty()) << toString(validate(cart()));
+}
+
+TEST(ValidateTest, AllProblemsAtOnce) {
+    Project project = cart();
+    project.rover.bodies[0].mass = -1.0;
+    project.rover.joints[0].axis = {0.0, 0.0, 0.0};
+    project.rover.wheels[0].radius = text("nothing");
+    project.scenarios[0].soil.friction = 9.0;
+    project.variants[0].set[0].parameter = "unknown";
+    const std::string all = toString(validate(project));
+    for (const char* part :
+         {"body chassis", "joint axle_left", "joint axle_right", "wheel wheel_left", "unknown"}) {
+        EXPECT_THAT(all, HasSubstr(part));
+    }
+    project.scenarios[0].variant.clear();
+    EXPECT_THAT(toString(validate(project)), HasSubstr("scenario step, friction"));
+}
+
+// Whichever number is not a number, somebody must notice before an engine does.
+TEST(ValidateTest, EveryNumberOfTheRoverIsCheckedToBeFinite) {
+    for (const std::string& name : shippedNames()) {
+        const Project good = shipped(name);
+        Project copy = good;
+        int count = 0;
+        copy.scenarios.clear();
+        forEachQuantity(copy, [&](Quantity&) { ++count; });
+        ASSERT_GT(count, 100);
+        for (int k = 0; k < count; ++k) {
+            Project project = good;
+            project.scenarios.clear();
+            int at = 0;
+            std::string before;
+            forEachQuantity(project, [&](Quantity& quantity) {
+                if (at++ == k) {
+                    before =
+                        quantity.isLiteral() ? std::to_string(quantity.literal()) : quantity.text();
+                    quantity = std::nan("");
+                }
+            });
+            if (hasCritical(validate(project))) {
+                continue;
+            }
+            // Only numbers that nothing reads, such as the radius of a box, may pass.
+            const auto mechanism = resolve(project);
+            ASSERT_TRUE(mechanism);
+            for (const auto& body : mechanism->bodies) {
+                ASSERT_TRUE(std::isfinite(body.mass) && body.com.allFinite() &&
+                            body.inertia.allFinite())
+                    << name << ", number " << k << " (" << before << ")";
+            }
+            for (const auto& joint : mechanism->joints) {
+                ASSERT_TRUE(joint.point.allFinite() && std::isfinite(joint.damping));
+            }
+            for (const auto& spring : mechanism->springs) {
+                ASSERT_TRUE(std::isfinite(spring.preload) && std::isfinite(spring.stiffness) &&
+                            spring.firstPoint.allFinite() && spring.secondPoint.allFinite())
+                    << name << ", number " << k << " (" << before << ")";
+            }
+        }
+    }
+}
