@@ -29,6 +29,11 @@ struct Mistake {
     const char* reason;
 };
 
+/// GoogleTest's name of a mistake.
+void PrintTo(const Mistake& mistake, std::ostream* out) {  // NOLINT: name given by gtest
+    *out << mistake.name;
+}
+
 std::vector<Mistake> mistakes() {
     return {
         {"NanMass", [](Project& p) { p.rover.bodies[0].mass = std::nan(""); }, "body chassis",
