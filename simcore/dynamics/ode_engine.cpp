@@ -22,6 +22,9 @@ struct BodyState {
 constexpr std::size_t kNumbersPerBody = 13;
 /// Compliance of friction [m/(N s)]: what a wheel creeps when it should stick.
 constexpr double kFrictionCompliance = 1e-9;
+/// Share of a contact's depth that is pushed out in one step: soft, else every edge throws the
+/// rover.
+constexpr double kContactErrorReduction = 0.2;
 /// Solves per step at most: the friction bounds must agree with the normal forces of this step.
 constexpr int kMaxPasses = 6;
 
@@ -211,7 +214,9 @@ void OdeEngine::makeContacts(const StepInput& input) {
         const contact::Contact& touch = input.contacts[i];
         const FrictionBox& box = bounds_.box(i);
         dContact c{};
-        c.surface.mode = dContactMu2 | dContactFDir1 | dContactSlip1 | dContactSlip2;
+        c.surface.mode =
+            dContactMu2 | dContactFDir1 | dContactSlip1 | dContactSlip2 | dContactSoftERP;
+        c.surface.soft_erp = kContactErrorReduction;
         c.surface.slip1 = c.surface.slip2 = kFrictionCompliance;
         if (box.fromNormalForce) {
             c.surface.mode |= dContactApprox1;
