@@ -12,6 +12,9 @@
 namespace simcore::dynamics {
 namespace {
 
+/// Soft, as contacts: a stop overrun in one step would else throw its arm back.
+constexpr double kStopErrorReduction = 0.2;
+
 using mechanism::Freedom;
 using mechanism::FreedomKind;
 using mechanism::Joint;
@@ -65,6 +68,7 @@ void makeJoint(dWorldID world, const Joint& joint, dBodyID first, dBodyID second
                 const double sign = a.dot(joint.axis) < 0.0 ? -1.0 : 1.0;
                 const double low = sign > 0 ? joint.stops->first : -joint.stops->second;
                 const double high = sign > 0 ? joint.stops->second : -joint.stops->first;
+                dJointSetHingeParam(id, dParamStopERP, kStopErrorReduction);
                 // Twice: ODE refuses a lower stop above the present upper one.
                 dJointSetHingeParam(id, dParamLoStop, low);
                 dJointSetHingeParam(id, dParamHiStop, high);
