@@ -257,8 +257,8 @@ TEST_F(EditingTest, EveryEditorHasAnAccessibleName) {
         const QString type = widget->metaObject()->className();
         const bool inner = qobject_cast<QComboBox*>(widget->parentWidget()) ||
                            qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) ||
-                           type == "QScrollBar" || type == "QHeaderView" || type.startsWith("QComboBoxPrivate") ||
-                           type == "QComboBoxListView";
+                           type == "QScrollBar" || type == "QHeaderView" ||
+                           type.startsWith("QComboBoxPrivate") || type == "QComboBoxListView";
         if (editor && !inner) {
             EXPECT_FALSE(widget->accessibleName().isEmpty())
                 << type.toStdString() << " " << widget->objectName().toStdString();
