@@ -153,7 +153,10 @@ void PlotPanel::Impl::build() {
     connect(session, &RunSession::dataAppended, panel, [this] { schedule(); });
     connect(session, &RunSession::dataReplaced, panel, [this] { takeData(true); });
     connect(session, &RunSession::snapshotChanged, panel, [this] { schedule(); });
-    connect(session, &RunSession::stateChanged, panel, [this] { updateHints(); });
+    connect(session, &RunSession::stateChanged, panel, [this] {
+        updateHints();
+        schedule();  // the whole run's window depends on whether it goes on
+    });
     startRun();
     panel->setPlotCount(count);
     colors();
