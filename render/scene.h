@@ -78,8 +78,8 @@ class Scene {
     /// Null: a flat ground at z = 0.
     void setTerrain(std::shared_ptr<const simcore::terrain::Terrain> terrain);
     /// Shows one instant of a run of this mechanism. std::invalid_argument when the number of
-    /// bodies or wheels differs. Grows the trail when the time moves on, cuts it when it jumps
-    /// back.
+    /// bodies or wheels differs. The trail ends at this instant; what was seen beyond it shows
+    /// again when the time moves on.
     void setSnapshot(const simcore::run::Snapshot& snapshot);
     /// All bodies as designed: the rover frame lies on the world frame.
     void showDrawnPose();
@@ -114,7 +114,7 @@ class Scene {
     Support support() const;
     /// World pose of a body as it stands in the scene graph.
     simcore::Pose bodyPose(int body) const;
-    int trailLength() const;  ///< number of recorded points
+    int trailLength() const;  ///< number of points up to the shown instant
 
   private:
     struct Impl;

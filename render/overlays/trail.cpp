@@ -1,5 +1,7 @@
 #include "render/overlays/trail.h"
 
+#include <algorithm>
+#include <iterator>
 #include <osg/Geometry>
 #include <osg/LineWidth>
 
@@ -43,13 +45,25 @@ Trail::Trail() {
 
 void Trail::clear() {
     points_.clear();
+    shown_ = 0;
 }
 
 void Trail::record(const simcore::run::Snapshot& snapshot) {
-    while (!points_.empty() && points_.back().time >= snapshot.time) {
-        points_.pop_back();
+    auto later =
+        std::upper_bound(points_.begin(), points_.end(), snapshot.time,
+                         [](double time, const Entry& entry) { return time < entry.time; });
+    const auto isHere = [&](const Entry& entry) {
+        return (entry.center - snapshot.centerOfMass).norm() < kSpacing;
+    };
+    if (later != points_.begin() && std::prev(later)->time == snapshot.time &&
+        !isHere(*std::prev(later))) {
+        // Elsewhere at the same time: another run.
+        points_.erase(std::prev(later), points_.end());
+        later = points_.end();
     }
-    if (!points_.empty() && (points_.back().center - snapshot.centerOfMass).norm() < kSpacing) {
+    shown_ = static_cast<std::size_t>(std::distance(points_.begin(), later));
+    if ((later != points_.begin() && isHere(*std::prev(later))) ||
+        (later != points_.end() && isHere(*later))) {
         return;
     }
     Entry entry{snapshot.time, snapshot.centerOfMass, {}, {}};
@@ -57,24 +71,25 @@ void Trail::record(const simcore::run::Snapshot& snapshot) {
         entry.contacts.push_back(wheel.contactPoint);
         entry.touching.push_back(wheel.touching);
     }
-    points_.push_back(std::move(entry));
+    points_.insert(later, std::move(entry));
+    ++shown_;
 }
 
 void Trail::draw(float width) {
     geode_->removeDrawables(0, geode_->getNumDrawables());
-    if (points_.size() < 2) {
+    if (shown_ < 2) {
         return;
     }
     geode_->getOrCreateStateSet()->setAttributeAndModes(new osg::LineWidth(width));
     const Vec3 lift(0.0, 0.0, kLift);
     std::vector<std::pair<Vec3, Vec3>> pieces;
-    for (std::size_t i = 1; i < points_.size(); ++i) {
+    for (std::size_t i = 1; i < shown_; ++i) {
         pieces.emplace_back(points_[i - 1].center, points_[i].center);
     }
     geode_->addDrawable(makeLine(pieces, osg::Vec4ub(255, 221, 64, 255)));
     for (std::size_t wheel = 0; wheel < points_.front().contacts.size(); ++wheel) {
         pieces.clear();
-        for (std::size_t i = 1; i < points_.size(); ++i) {
+        for (std::size_t i = 1; i < shown_; ++i) {
             if (points_[i - 1].touching[wheel] && points_[i].touching[wheel]) {
                 pieces.emplace_back(points_[i - 1].contacts[wheel] + lift,
                                     points_[i].contacts[wheel] + lift);

@@ -9,7 +9,8 @@
 
 namespace render {
 
-/// Where the rover has been: its centre of mass on the ground below, and every wheel's contact.
+/// Where the rover has been up to the instant on show: its centre of mass and every wheel's
+/// contact. What was seen of a run is kept when one looks back in time.
 class Trail {
   public:
     Trail();
@@ -17,10 +18,11 @@ class Trail {
     osg::Geode* node() { return geode_; }
 
     void clear();
-    /// Appends when the rover has moved on; cuts off what lies at or after a time that jumped back.
+    /// Ends the trail at this instant, which becomes part of it unless the rover is known to have
+    /// been there.
     void record(const simcore::run::Snapshot& snapshot);
 
-    int length() const { return static_cast<int>(points_.size()); }
+    int length() const { return static_cast<int>(shown_); }
 
     /// Makes the lines anew, `width` pixels wide.
     void draw(float width);
@@ -33,7 +35,8 @@ class Trail {
         std::vector<bool> touching;
     };
 
-    std::vector<Entry> points_;
+    std::vector<Entry> points_;  ///< by time
+    std::size_t shown_ = 0;      ///< points up to the instant on show
     osg::ref_ptr<osg::Geode> geode_ = new osg::Geode;
 };
 
