@@ -23,27 +23,33 @@ std::pair<Vec3, Vec3> perpendiculars(const Vec3& axis) {
     return {u, axis.cross(u)};
 }
 
-void MeshBuilder::vertex(const Vec3& position, const Vec3& normal) {
+unsigned MeshBuilder::vertex(const Vec3& position, const Vec3& normal) {
+    const auto index = static_cast<unsigned>(vertices_->size());
     vertices_->push_back(toOsg(position));
     normals_->push_back(toOsg(normal));
     colors_->push_back(material_.color);
     finish_->push_back(osg::Vec2(material_.roughness, material_.metal));
+    return index;
 }
 
 void MeshBuilder::triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
     const bool flip = (b - a).cross(c - a).dot(normal) < 0.0;
-    vertex(a, normal);
-    vertex(flip ? c : b, normal);
-    vertex(flip ? b : c, normal);
+    for (const Vec3* corner : {&a, flip ? &c : &b, flip ? &b : &c}) {
+        corners_->push_back(vertex(*corner, normal));
+    }
 }
 
 void MeshBuilder::quad(const std::array<Vec3, 4>& p, const std::array<Vec3, 4>& n) {
     const Vec3 face = (p[2] - p[0]).cross(p[3] - p[1]);
     const bool flip = face.dot(n[0] + n[1] + n[2] + n[3]) < 0.0;
-    const std::array<std::size_t, 6> order = flip ? std::array<std::size_t, 6>{0, 2, 1, 0, 3, 2}
-                                                  : std::array<std::size_t, 6>{0, 1, 2, 0, 2, 3};
-    for (const std::size_t i : order) {
+    const unsigned first = vertex(p[0], n[0]);
+    for (std::size_t i = 1; i < 4; ++i) {
         vertex(p[i], n[i]);
+    }
+    const std::array<unsigned, 6> order = flip ? std::array<unsigned, 6>{0, 2, 1, 0, 3, 2}
+                                               : std::array<unsigned, 6>{0, 1, 2, 0, 2, 3};
+    for (const unsigned i : order) {
+        corners_->push_back(first + i);
     }
 }
 
@@ -192,12 +198,12 @@ osg::ref_ptr<osg::Geometry> MeshBuilder::build() {
     colors_->setNormalize(true);
     geometry->setColorArray(colors_, osg::Array::BIND_PER_VERTEX);
     geometry->setTexCoordArray(0, finish_, osg::Array::BIND_PER_VERTEX);
-    geometry->addPrimitiveSet(
-        new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(vertices_->size())));
+    geometry->addPrimitiveSet(corners_);
     vertices_ = new osg::Vec3Array;
     normals_ = new osg::Vec3Array;
     colors_ = new osg::Vec4ubArray;
     finish_ = new osg::Vec2Array;
+    corners_ = new osg::DrawElementsUInt(GL_TRIANGLES);
     return geometry;
 }
 

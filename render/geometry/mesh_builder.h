@@ -47,13 +47,15 @@ class MeshBuilder {
     osg::ref_ptr<osg::Geometry> build();
 
   private:
-    void vertex(const Vec3& position, const Vec3& normal);
+    /// Index of the new vertex.
+    unsigned vertex(const Vec3& position, const Vec3& normal);
 
     Material material_;
     osg::ref_ptr<osg::Vec3Array> vertices_ = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec3Array> normals_ = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec4ubArray> colors_ = new osg::Vec4ubArray;
     osg::ref_ptr<osg::Vec2Array> finish_ = new osg::Vec2Array;
+    osg::ref_ptr<osg::DrawElementsUInt> corners_ = new osg::DrawElementsUInt(GL_TRIANGLES);
 };
 
 /// Unit vectors that make a right-handed frame with the unit `axis` as third.

@@ -1,6 +1,7 @@
 #include "render/geometry/terrain_model.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <osg/Geode>
@@ -16,7 +17,7 @@ using simcore::terrain::TriangleMesh;
 
 constexpr double kSmoothCosine = 0.866;  // 30 deg
 constexpr double kHorizon = 60.0;        // [m]; the fog is opaque before
-const Material kSoil{osg::Vec4ub(206, 160, 116, 255), 1.0F, 0.0F};
+const Material kSoil{osg::Vec4ub(160, 118, 83, 255), 1.0F, 0.0F};
 
 /// Vertices at the same place count as one.
 std::vector<int> weld(const std::vector<Vec3>& vertices) {
@@ -45,19 +46,30 @@ osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh) {
     }
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
     osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
+    osg::ref_ptr<osg::DrawElementsUInt> corners = new osg::DrawElementsUInt(GL_TRIANGLES);
+    std::vector<std::vector<unsigned>> drawn(mesh.vertices.size());  // once for each normal
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Vec3 own = weighted[t].normalized();
         for (const int corner : mesh.triangles[t]) {
             const auto index = static_cast<std::size_t>(corner);
-            Vec3 normal = Vec3::Zero();
+            Vec3 sum = Vec3::Zero();
             for (const int other : around[static_cast<std::size_t>(welded[index])]) {
                 const Vec3& neighbour = weighted[static_cast<std::size_t>(other)];
                 if (neighbour.normalized().dot(own) > kSmoothCosine) {
-                    normal += neighbour;
+                    sum += neighbour;
                 }
             }
+            const osg::Vec3 normal = toOsg(sum.normalized());
+            const auto same = std::find_if(drawn[index].begin(), drawn[index].end(),
+                                           [&](unsigned i) { return (*normals)[i] == normal; });
+            if (same != drawn[index].end()) {
+                corners->push_back(*same);
+                continue;
+            }
+            drawn[index].push_back(static_cast<unsigned>(vertices->size()));
+            corners->push_back(drawn[index].back());
             vertices->push_back(toOsg(mesh.vertices[index]));
-            normals->push_back(toOsg(normal.normalized()));
+            normals->push_back(normal);
         }
     }
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
@@ -69,8 +81,7 @@ osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh) {
     color->push_back(kSoil.color);
     color->setNormalize(true);
     geometry->setColorArray(color, osg::Array::BIND_OVERALL);
-    geometry->addPrimitiveSet(
-        new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(vertices->size())));
+    geometry->addPrimitiveSet(corners);
     return geometry;
 }
 
