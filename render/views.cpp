@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <osg/Camera>
@@ -48,10 +49,17 @@ CameraPose Scene::view(View view, double aspect) const {
     camera.eye = camera.center + back.normalized();
     camera = fitted(camera, aspect);
     if (view == View::Overview) {
-        // The rover stands in the rear half of the picture, the obstacles before it.
-        const Vec3 ahead(0.9 * focusRadius(), 0.0, -0.1 * focusRadius());
+        // The rover stands in the rear half of the picture, the obstacles before it; in a narrow
+        // picture there is less room for them.
+        constexpr double kFarther = 1.25;
+        const double half = 0.5 * kFieldOfView * std::numbers::pi / 180.0;
+        const double room =
+            kFarther * fittingDistance(focusRadius(), aspect) * std::tan(half) * aspect -
+            focusRadius();
+        const double shift = std::clamp(room, 0.0, 0.9 * focusRadius());
+        const Vec3 ahead(shift, 0.0, -shift / 9.0);
         camera.center += ahead;
-        camera.eye = camera.center + 1.25 * (camera.eye + ahead - camera.center);
+        camera.eye = camera.center + kFarther * (camera.eye + ahead - camera.center);
     }
     return camera;
 }
