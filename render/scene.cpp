@@ -192,31 +192,33 @@ void Scene::Impl::place() {
 
 void Scene::Impl::buildOverlays() {
     overlays->removeChildren(0, overlays->getNumChildren());
-    const auto add = [this](const osg::ref_ptr<osg::Node>& node) {
+    const auto add = [this](const char* name, const osg::ref_ptr<osg::Node>& node) {
         if (node != nullptr) {
+            node->setName(name);
             overlays->addChild(node);
         }
     };
     const double size = bounds.radius;
     const float pixels = static_cast<float>(quality.pixelRatio);
     if (shown.axes) {
-        add(makeAxes(0.5 * size));
+        add("axes", makeAxes(0.5 * size));
     }
     if (shown.trail) {
         trail.draw(2.5F * pixels);
-        overlays->addChild(trail.node());
+        add("trail", trail.node());
     }
     if (shown.supportPolygon) {
-        add(makeSupportPolygon(snapshot, supportOf(snapshot)));
+        add("support polygon", makeSupportPolygon(snapshot, supportOf(snapshot)));
     }
     if (shown.contactForces && !mechanism.wheels.empty()) {
         const double wheelLoad =
             mechanism.mass() * kGravity / static_cast<double>(mechanism.wheels.size());
-        add(makeForces(snapshot, 0.42 * size / std::max(wheelLoad, 1e-6), 0.022 * size));
+        add("contact forces",
+            makeForces(snapshot, 0.42 * size / std::max(wheelLoad, 1e-6), 0.022 * size));
     }
     if (shown.centerOfMass) {
-        add(makeCenterOfMass(snapshot.centerOfMass, groundBelow(snapshot.centerOfMass),
-                             0.055 * size));
+        add("centre of mass", makeCenterOfMass(snapshot.centerOfMass,
+                                               groundBelow(snapshot.centerOfMass), 0.055 * size));
     }
     const auto jointPlace = [this](std::size_t i) {
         const auto& joint = mechanism.joints[i];
@@ -226,7 +228,8 @@ void Scene::Impl::buildOverlays() {
         const auto i = static_cast<std::size_t>(highlightedJoint);
         const auto& joint = mechanism.joints[i];
         const Pose& carrier = snapshot.bodies[static_cast<std::size_t>(joint.first)];
-        add(makeRing(jointPlace(i), carrier.rotation * joint.axis, 0.09 * size));
+        add("highlighted joint",
+            makeRing(jointPlace(i), carrier.rotation * joint.axis, 0.09 * size));
     }
     std::vector<Badge> labels;
     if (shown.jointFreedoms && freedomCounts.size() == mechanism.joints.size()) {
@@ -235,7 +238,7 @@ void Scene::Impl::buildOverlays() {
         }
     }
     badges.set(labels, 22.0F * pixels);
-    overlays->addChild(badges.node());
+    add("joint freedoms", badges.node());
 }
 
 Scene::Scene() : impl_(std::make_unique<Impl>()) {
