@@ -1,0 +1,139 @@
+#pragma once
+
+#include <memory>
+
+#include "simcore/mechanism/mass_properties.h"
+#include "simcore/run/simulation.h"
+#include "tests/support/mechanisms.h"
+
+/// The plainest things that roll, as mechanisms and as runs, with closed forms for their motion.
+namespace testsupport {
+
+using simcore::mechanism::Wheel;
+
+/// A lone wheel: one body without a joint. The drive of such a wheel turns against itself and does
+/// nothing; it is moved by external torques.
+inline Mechanism makeDrum(double mass, double radius, double width,
+                          const Vec3& center = Vec3::Zero()) {
+    Mechanism mechanism;
+    mechanism.name = "drum";
+    mechanism.bodies = {makeBody("drum", mass, center)};
+    mechanism.bodies[0].inertia =
+        simcore::mechanism::inertiaOfCylinder(mass, radius, width, Vec3::UnitY());
+    Wheel wheel;
+    wheel.name = "drum";
+    wheel.body = wheel.carrier = 0;
+    wheel.center = center;
+    wheel.radius = radius;
+    wheel.width = width;
+    mechanism.wheels = {wheel};
+    return mechanism;
+}
+
+struct CartNumbers {
+    double chassisMass = 6.0;                     ///< [kg]
+    double comX = 0.0, comZ = 0.1;                ///< of the chassis [m]
+    double wheelMass = 0.5, radius = 0.07;        ///< [kg], [m]
+    double halfBase = 0.2, halfTrack = 0.2;       ///< [m]
+    double torqueLimit = 3.0, speedLimit = 10.0;  ///< [N m], [rad/s]
+    double rotorInertia = 0.0;                    ///< [kg m^2]
+};
+
+/// A rigid chassis on four driven wheels: front left and right, rear left and right.
+inline Mechanism makeCart(const CartNumbers& numbers = {}) {
+    constexpr double kWidth = 0.05;
+    Mechanism mechanism;
+    mechanism.name = "cart";
+    mechanism.bodies = {makeBody("chassis", numbers.chassisMass, {numbers.comX, 0.0, numbers.comZ},
+                                 {0.08, 0.1, 0.12})};
+    for (const double x : {numbers.halfBase, -numbers.halfBase}) {
+        for (const double y : {numbers.halfTrack, -numbers.halfTrack}) {
+            const std::string name =
+                std::string(x > 0.0 ? "front" : "rear") + (y > 0.0 ? "_left" : "_right");
+            const Vec3 center(x, y, numbers.radius);
+            const int body = static_cast<int>(mechanism.bodies.size());
+            mechanism.bodies.push_back(makeBody(name, numbers.wheelMass, center));
+            mechanism.bodies.back().inertia = simcore::mechanism::inertiaOfCylinder(
+                numbers.wheelMass, numbers.radius, kWidth, Vec3::UnitY());
+            mechanism.joints.push_back(makePin(name + "_axle", 0, body, center));
+            Wheel wheel;
+            wheel.name = name;
+            wheel.body = body;
+            wheel.axle = static_cast<int>(mechanism.joints.size()) - 1;
+            wheel.carrier = 0;
+            wheel.center = center;
+            wheel.radius = numbers.radius;
+            wheel.width = kWidth;
+            wheel.torqueLimit = numbers.torqueLimit;
+            wheel.speedLimit = numbers.speedLimit;
+            wheel.rotorInertia = numbers.rotorInertia;
+            mechanism.wheels.push_back(wheel);
+        }
+    }
+    return mechanism;
+}
+
+/// The mechanism drawn with its nose up by `slope` [rad] about the world's y axis: so it starts on
+/// the ground of slopeThroughOrigin().
+inline Mechanism tilted(Mechanism mechanism, double slope) {
+    const Mat3 R = Eigen::AngleAxisd(-slope, Vec3::UnitY()).toRotationMatrix();
+    for (Body& body : mechanism.bodies) {
+        body.com = R * body.com;
+        body.inertia = R * body.inertia * R.transpose();
+    }
+    for (Joint& joint : mechanism.joints) {
+        joint.point = R * joint.point;
+        joint.axis = R * joint.axis;
+        for (auto* freedoms : {&joint.built, &joint.relaxed}) {
+            for (Freedom& freedom : *freedoms) {
+                freedom.direction = R * freedom.direction;
+            }
+        }
+    }
+    for (Wheel& wheel : mechanism.wheels) {
+        wheel.center = R * wheel.center;
+        wheel.axis = R * wheel.axis;
+    }
+    for (auto& spring : mechanism.springs) {
+        spring.firstPoint = R * spring.firstPoint;
+        spring.secondPoint = R * spring.secondPoint;
+    }
+    return mechanism;
+}
+
+/// A plane that rises with `slope` [rad] along x and holds the origin.
+inline simcore::terrain::Terrain slopeThroughOrigin(double slope, double reach = 5.0) {
+    return simcore::terrain::Terrain::extruded(
+        {{-reach, -reach * std::tan(slope)}, {reach, reach * std::tan(slope)}}, -3.0, 3.0);
+}
+
+inline simcore::terrain::Terrain levelGround() {
+    return slopeThroughOrigin(0.0, 50.0);
+}
+
+/// A run of that mechanism on that ground with little settling: the rest is to be set.
+inline simcore::run::ResolvedRun runOf(Mechanism mechanism, simcore::terrain::Terrain terrain) {
+    simcore::run::ResolvedRun run;
+    run.scenario = mechanism.name;
+    run.mechanism = std::move(mechanism);
+    run.terrain = std::make_shared<const simcore::terrain::Terrain>(std::move(terrain));
+    run.settle = 0.2;
+    run.ramp = 0.2;
+    return run;
+}
+
+/// Steps until the run ends, or until `time` [s] of it has passed.
+inline simcore::run::RunReport runToEnd(simcore::run::Simulation& simulation, double time = 1e9) {
+    while (!simulation.finished() &&
+           simulation.snapshot().time < time - 0.5 * simulation.settings().step) {
+        simulation.step();
+    }
+    return simulation.report();
+}
+
+inline simcore::run::RunReport reportOf(const simcore::run::ResolvedRun& run) {
+    simcore::run::Simulation simulation(run);
+    return runToEnd(simulation);
+}
+
+}  // namespace testsupport
