@@ -301,7 +301,7 @@ TEST_F(SceneTest, TrailIsClearedWithRoverAndTerrain) {
 
 // A highlighted joint wears a ring about its pin, at its place in the instant on show.
 TEST_F(SceneTest, HighlightedJointWearsARing) {
-    Pose pose = turnAbout(Vec3::Zero(), Vec3(0.3, 1.0, 0.1), 0.5);
+    Pose pose = turnAbout(Vec3::Zero(), Vec3(0.3, 0.2, 1.0), 0.9);
     pose.position = Vec3(1.0, 0.2, 0.1);
     scene.setSnapshot(standing(mechanism, pose));
     for (const auto& name : {"fork_a", "rear_axle"}) {
