@@ -1,8 +1,8 @@
 // Plots of a long run: two plots of six wheels, 12 curves of 6000 points (60 s at 100 Hz), in the
 // studio's plot panel. Timed is a whole refresh: ranges, both plots drawn and painted, values at
 // the cursor. Goal: 20 ms, a quarter of the 80 ms between two refreshes of a running plot.
-#include <QApplication>
 #include <qcustomplot.h>
+#include <QApplication>
 
 #include <benchmark/benchmark.h>
 

@@ -1,10 +1,11 @@
 // How fast the studio follows an edit: the slider of a SOLERO parameter moves in a shown window
 // with all panels. Timed is everything until the call returns: validation, resolving, both mobility
-// analyses, masses, every panel, the 3D scene. Goal: median below 16 ms. Not timed: painting, of
-// which `paint_ms` is the panels' share and a frame of the 3D view has a benchmark of its own.
+// analyses, masses, every panel, the 3D scene. Goal: median below 16 ms.
 //
-// Counters break the median down: derive_ms = validate_ms + resolve_ms + mobility_ms; scene_ms is
-// the rover built anew for the picture; what is left is the panels and the undo stack.
+// Counters break it down: validate, resolve and mobility are the arithmetic, scene the rover built
+// anew for the picture; the rest is panels and undo stack. Beside it stands paint: layouts and the
+// panels' painting, and with OpenGL the window put together anew; not the 3D view itself. A frame
+// of that in the window is the last benchmark.
 #include <QApplication>
 #include <QSlider>
 
