@@ -33,14 +33,25 @@ struct DriveCommand {
     bool brake = false;
 };
 
-/// For one wheel: a torque, plus a speed loop that the drive runs at the engine's step.
-struct WheelCommand {
-    double torque = 0.0;        ///< feed-forward [N m]
-    double speed = 0.0;         ///< set-point of the speed loop [rad/s]
-    double proportional = 0.0;  ///< of the speed loop [N m s/rad]; 0 with integral 0 = no loop
-    double integral = 0.0;      ///< [N m/rad]
-    double torqueCap = 0.0;     ///< |total torque| stays below [N m]
+enum class WheelMode {
+    Speed,   ///< the loop drives the wheel at `speed`
+    Torque,  ///< the wheel gets `torque`; the loop takes over where its rate would pass `speed`
 };
+
+/// For one wheel: what its drive does at every engine step, until the next command.
+struct WheelCommand {
+    WheelMode mode = WheelMode::Speed;
+    double torque = 0.0;        ///< Torque: wanted [N m]
+    double speed = 0.0;         ///< Speed: set-point; Torque: highest |rate| driven to [rad/s]
+    double proportional = 0.0;  ///< of the loop [N m s/rad]
+    double integral = 0.0;      ///< of the loop [N m/rad]
+    double torqueCap = 0.0;     ///< |torque| stays below [N m]
+};
+
+/// Gains of a wheel's loop: full torque at 2 rad/s of error, and after 0.2 rad of accumulated error
+/// (assumed: the stiffness of a small geared drive), in torque limits.
+inline constexpr double kLoopProportional = 0.5;
+inline constexpr double kLoopIntegral = 5.0;
 
 struct ControllerSettings {
     project::ControllerKind kind = project::ControllerKind::Speed;
@@ -62,14 +73,13 @@ class Controller {
 };
 
 /// Every wheel at rover speed / radius by a PI loop per wheel; Manual adds v = turn x track for
-/// skid steering. Default gains 0.5 and 5 torque limits per rad/s and rad (assumed; see
-/// docs/controllers.md).
+/// skid steering. Default gains kLoopProportional and kLoopIntegral; see docs/controllers.md.
 std::unique_ptr<Controller> makeSpeedController(const mechanism::Mechanism& mechanism,
                                                 const ControllerSettings& settings);
 
 /// One PID on the body's speed; its torque is shared as N_i / N_mean (Lamon et al. 2004, eq. 4),
-/// capped at assumed_mu N_i R and slowed above 1.5 times the commanded wheel speed; a wheel in the
-/// air follows the commanded speed gently instead. Default gains from a point mass: poles at -6/s
+/// capped at assumed_mu N_i R and held at 1.5 times the commanded wheel speed; a wheel in the air
+/// follows the commanded speed gently instead. Default gains from a point mass: poles at -6/s
 /// (assumed).
 std::unique_ptr<Controller> makeEqualTorqueController(const mechanism::Mechanism& mechanism,
                                                       const ControllerSettings& settings);

@@ -11,8 +11,10 @@ namespace {
 constexpr double kLoopFrequency = 6.0;
 // A wheel with less than this share of the mean load counts as lifted (assumed).
 constexpr double kLifted = 0.03;
-// A torque-driven wheel may run at most this much faster than the command (assumed).
+// A torque-driven wheel may run at most this much faster than the command (assumed), and at least
+// at this rate [rad/s], so that a rover can be held against a slope.
 constexpr double kRateCap = 1.5;
+constexpr double kSmallestRateCap = 0.3;
 // Gentle speed loop of a lifted wheel, in torque limits per rad/s (assumed).
 constexpr double kLiftedGain = 0.1;
 
@@ -79,25 +81,20 @@ class EqualTorqueController final : public Controller {
                        double meanLoad) const {
         WheelCommand out;
         const double wantedRate = command_.speed / wheel.radius;
+        out.torqueCap = wheel.torqueLimit;
         if (meanLoad <= 0.0 || sensors.normalForce < kLifted * meanLoad) {
             out.speed = wantedRate;
             out.proportional = kLiftedGain * wheel.torqueLimit;
-            out.torqueCap = wheel.torqueLimit;
             return out;
         }
+        out.mode = WheelMode::Torque;
         out.torque = sensors.normalForce / meanLoad * common;
-        out.torqueCap = wheel.torqueLimit;
+        out.speed = std::max(kRateCap * std::abs(wantedRate), kSmallestRateCap);
+        out.proportional = kLoopProportional * wheel.torqueLimit;
+        out.integral = kLoopIntegral * wheel.torqueLimit;
         if (settings_.assumedFriction > 0.0) {
             out.torqueCap = std::min(
                 out.torqueCap, settings_.assumedFriction * sensors.normalForce * wheel.radius);
-        }
-        // Above the rate cap the drive pulls the wheel back instead of pushing it on.
-        const double cap = kRateCap * wantedRate;
-        if (std::abs(sensors.rate) > std::abs(cap) && sensors.rate * wantedRate >= 0.0 &&
-            out.torque * sensors.rate > 0.0) {
-            out.torque = 0.0;
-            out.speed = cap;
-            out.proportional = kLiftedGain * wheel.torqueLimit;
         }
         return out;
     }

@@ -3,11 +3,6 @@
 namespace simcore::control {
 namespace {
 
-// Full torque at 2 rad/s of error, and after 0.2 rad of accumulated error (assumed: the stiffness
-// of a small geared drive).
-constexpr double kProportionalShare = 0.5;
-constexpr double kIntegralShare = 5.0;
-
 class SpeedController final : public Controller {
   public:
     SpeedController(const mechanism::Mechanism& mechanism, const ControllerSettings& settings)
@@ -23,13 +18,13 @@ class SpeedController final : public Controller {
             const mechanism::Wheel& wheel = wheels_[i];
             // Skid steering: a wheel at y moves at v - turn * y.
             const double speed = command.brake ? 0.0 : command.speed - turn * wheel.center.y();
-            out[i].torque = 0.0;
+            out[i].mode = WheelMode::Speed;
             out[i].speed = speed / wheel.radius;
             out[i].proportional = settings_.proportional > 0.0
                                       ? settings_.proportional
-                                      : kProportionalShare * wheel.torqueLimit;
+                                      : kLoopProportional * wheel.torqueLimit;
             out[i].integral =
-                settings_.integral > 0.0 ? settings_.integral : kIntegralShare * wheel.torqueLimit;
+                settings_.integral > 0.0 ? settings_.integral : kLoopIntegral * wheel.torqueLimit;
             out[i].torqueCap = wheel.torqueLimit;
         }
     }

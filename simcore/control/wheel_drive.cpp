@@ -25,24 +25,40 @@ double WheelDrive::available(double torque, double rate) const {
     return limited * std::clamp(share, 0.0, 1.0);
 }
 
+double WheelDrive::loopTorque(const WheelCommand& command, double error, double step) {
+    // Backward Euler for a free wheel: its error shrinks by h tau / I within the step. The integral
+    // is what balances the load, so it is not divided.
+    const double divisor = 1.0 + (command.proportional + command.integral * step) * step / inertia_;
+    const double cap = std::min(command.torqueCap, torqueLimit_);
+    // Anti-windup: the integral stays where the limits leave it of use.
+    integral_ = command.integral > 0.0
+                    ? std::clamp(integral_ + command.integral * error * step / divisor, -cap, cap)
+                    : 0.0;
+    return integral_ + command.proportional * error / divisor;
+}
+
+double WheelDrive::heldBelowSpeed(const WheelCommand& command, double rate, double step) {
+    const double sign = command.torque < 0.0 ? -1.0 : 1.0;
+    const double bound = sign * loopTorque(command, sign * command.speed - rate, step);
+    if (bound < sign * command.torque) {
+        return sign * bound;
+    }
+    // The loop waits at the torque in force, and takes over from there.
+    integral_ = command.torque;
+    return command.torque;
+}
+
 double WheelDrive::torque(const WheelCommand& command, double rate, double step) {
     const double cap = std::min(command.torqueCap, torqueLimit_);
-    const double error = command.speed - rate;
-    const bool loop = command.proportional > 0.0 || command.integral > 0.0;
-    if (!loop) {
-        integral_ = 0.0;
-    } else if (command.integral > 0.0) {
-        integral_ += command.integral * error * step;
+    if (command.mode == WheelMode::Torque) {
+        WheelCommand capped = command;
+        capped.torque = std::clamp(command.torque, -cap, cap);
+        const double held = heldBelowSpeed(capped, rate, step);
+        commanded_ = held == capped.torque ? command.torque : held;
+    } else {
+        commanded_ = loopTorque(command, command.speed - rate, step);
     }
-    // Backward Euler for a free wheel: tau = K (error - step tau / I) + integral, solved for tau.
-    const double gain = command.proportional + command.integral * step;
-    const double feedback =
-        (command.proportional * error + integral_) / (1.0 + gain * step / inertia_);
-    commanded_ = command.torque + (loop ? feedback : 0.0);
-    const double torque = std::clamp(available(commanded_, rate), -cap, cap);
-    // Anti-windup: the integral stays where the limits leave it of use.
-    integral_ = std::clamp(integral_, -cap, cap);
-    return torque;
+    return std::clamp(available(commanded_, rate), -cap, cap);
 }
 
 }  // namespace simcore::control

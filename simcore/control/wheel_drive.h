@@ -7,8 +7,8 @@ namespace simcore::control {
 /// Motor and gearbox of one wheel: follows a WheelCommand within torque and speed limits, at the
 /// engine's step.
 ///
-/// The speed loop is semi-implicit: it anticipates how the free wheel's own inertia answers within
-/// the step, so that a lifted wheel does not oscillate at any step length.
+/// Its PI loop is semi-implicit: it anticipates how the free wheel's own inertia answers within the
+/// step, so that a lifted wheel does not oscillate at any step length.
 class WheelDrive {
   public:
     /// @param inertia  of the wheel and the reflected rotor about the axle [kg m^2]
@@ -23,12 +23,14 @@ class WheelDrive {
     double commanded() const { return commanded_; }
 
   private:
+    double loopTorque(const WheelCommand& command, double error, double step);
+    double heldBelowSpeed(const WheelCommand& command, double rate, double step);
     double available(double torque, double rate) const;
 
     double torqueLimit_;
     double speedLimit_;
     double inertia_;
-    double integral_ = 0.0;
+    double integral_ = 0.0;  ///< of the loop [N m]
     double commanded_ = 0.0;
 };
 

@@ -67,6 +67,7 @@ struct Simulation::Impl {
     void measure();
     void checkEnd();
     std::string blownUpBody() const;
+    std::string whyStuck() const;
     control::DriveCommand driveCommand() const;
     double endTime() const;
 
@@ -236,6 +237,26 @@ std::string Simulation::Impl::blownUpBody() const {
     return {};
 }
 
+std::string Simulation::Impl::whyStuck() const {
+    std::string why =
+        fmt::format("less than {:.0f} mm gained in {:.0f} s", 1e3 * kStuckDistance, kStuckTime);
+    const auto atTractionCap = [this](std::size_t i) {
+        const double cap = commands[i].torqueCap;
+        return cap < run.mechanism.wheels[i].torqueLimit && std::abs(torques[i]) > 0.99 * cap;
+    };
+    int capped = 0;
+    int touching = 0;
+    for (std::size_t i = 0; i < torques.size(); ++i) {
+        touching += now.wheels[i].touching ? 1 : 0;
+        capped += now.wheels[i].touching && atTractionCap(i) ? 1 : 0;
+    }
+    if (capped > 0 && capped == touching) {
+        why += fmt::format(", every wheel at the traction cap of assumed friction {:.3g}",
+                           run.assumedFriction);
+    }
+    return why;
+}
+
 void Simulation::Impl::measure() {
     const bool count = now.time > run.settle + run.ramp;
     observer.observe(*engine, before, contacts, count, now.wheels);
@@ -264,7 +285,9 @@ void Simulation::Impl::updateSnapshot() {
     now.centerOfMass = run.mechanism.centerOfMass(now.bodies);
     const Pose& pose = now.bodies[chassis];
     now.distance = pose.position.x();
-    now.speed = (pose.rotation * Vec3::UnitX()).dot(engine->velocities()[chassis].linear);
+    const dynamics::BodyVelocity& velocity = engine->velocities()[chassis];
+    const Vec3 arm = -(pose.rotation * run.mechanism.bodies[chassis].com);
+    now.speed = (pose.rotation * Vec3::UnitX()).dot(velocity.linear + velocity.angular.cross(arm));
 }
 
 double Simulation::Impl::endTime() const {
@@ -286,8 +309,7 @@ void Simulation::Impl::checkEnd() {
         progressTime = now.time;
     } else if (now.time - std::max(progressTime, run.settle + run.ramp) > kStuckTime) {
         reason = StopReason::Stuck;
-        detail =
-            fmt::format("less than {:.0f} mm gained in {:.0f} s", 1e3 * kStuckDistance, kStuckTime);
+        detail = whyStuck();
     }
     if (reason != StopReason::Running) {
         observer.closeWindow(now.wheels);

@@ -35,7 +35,7 @@ struct Snapshot {
     std::vector<WheelState> wheels;    ///< mechanism order
     Vec3 centerOfMass = Vec3::Zero();  ///< world [m]
     double distance = 0.0;             ///< chassis origin along x since the start [m]
-    double speed = 0.0;                ///< chassis' centre of mass along its forward axis [m/s]
+    double speed = 0.0;                ///< chassis origin along the chassis' forward axis [m/s]
 };
 
 }  // namespace simcore::run
