@@ -320,6 +320,14 @@ void Scene::highlightBody(int body) {
     }
 }
 
+int Scene::highlightedJoint() const {
+    return impl_->highlightedJoint;
+}
+
+int Scene::highlightedBody() const {
+    return impl_->highlightedBody;
+}
+
 void Scene::clearTrail() {
     impl_->trail.clear();
     impl_->buildOverlays();

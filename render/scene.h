@@ -91,6 +91,9 @@ class Scene {
     /// -1: none.
     void highlightJoint(int joint);
     void highlightBody(int body);
+    /// What is marked now; -1: nothing.
+    int highlightedJoint() const;
+    int highlightedBody() const;
     void clearTrail();
     /// Sky and fog that go with a dark or a light window.
     void setTheme(bool dark);

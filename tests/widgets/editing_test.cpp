@@ -172,6 +172,20 @@ TEST_F(EditingTest, ChoosingARemovableConstraintSelectsItsJoint) {
     auto* panel = window->findChild<widgets::PropertyPanel*>();
     EXPECT_EQ(panel->element().kind, ElementKind::Joint);
     EXPECT_EQ(nameOf(window->document().project(), panel->element()), "bogie_{side}_lower_front");
+    // It is marked in the 3D view, also after an edit has drawn the rover anew.
+    const auto marked = [this] {
+        const int joint = window->scene().highlightedJoint();
+        return joint < 0 ? std::string()
+                         : window->document()
+                               .derived()
+                               .mechanism->joints.at(static_cast<std::size_t>(joint))
+                               .name;
+    };
+    EXPECT_EQ(marked(), "bogie_right_lower_front");
+    find<QTabWidget>("editors")->setCurrentIndex(0);
+    type(parameter("wheel_radius"), "80");
+    EXPECT_EQ(parameterValue("wheel_radius"), 0.08);
+    EXPECT_EQ(marked(), "bogie_right_lower_front");
 }
 
 TEST_F(EditingTest, CentreOfMassIsMovedByEditingIt) {

@@ -149,6 +149,7 @@ QWidget* MainWindow::makeLeftPanel() {
     properties_ = new PropertyPanel(document_);
     editors_ = new QTabWidget;
     editors_->setDocumentMode(true);
+    editors_->setObjectName("editors");
     editors_->addTab(parameters_, tr("Parameters"));
     editors_->addTab(properties_, tr("Properties"));
     auto* splitter = new QSplitter(Qt::Vertical);

@@ -42,10 +42,18 @@ SceneLink::SceneLink(Document* document, RunSession* session, std::shared_ptr<re
         }
     });
     connect(session_, &RunSession::dataReplaced, this, [this] {
-        if (showsRun_) {
+        // A reset; a long recording is also replaced when it is thinned, which moves nothing.
+        if (showsRun_ && session_->endTime() == 0.0) {
             scene_->clearTrail();
         }
     });
+}
+
+void SceneLink::showMechanism(const simcore::mechanism::Mechanism& mechanism) {
+    mechanism_ = mechanism;
+    scene_->setMechanism(mechanism_);
+    showFreedoms();
+    showHighlight();
 }
 
 void SceneLink::showDesign() {
@@ -53,9 +61,7 @@ void SceneLink::showDesign() {
     showsRun_ = false;
     // With critical problems the last good rover stays on show.
     if (derived.mechanism) {
-        mechanism_ = *derived.mechanism;
-        scene_->setMechanism(mechanism_);
-        showFreedoms();
+        showMechanism(*derived.mechanism);
     }
     showTerrain();
     redraw();
@@ -64,11 +70,9 @@ void SceneLink::showDesign() {
 void SceneLink::showRun(const simcore::run::Snapshot& snapshot) {
     if (!showsRun_) {
         const auto& run = session_->settings();
-        mechanism_ = run.mechanism;
-        scene_->setMechanism(mechanism_);
+        showMechanism(run.mechanism);
         scene_->setTerrain(run.terrain);
         terrainShown_ = false;
-        showFreedoms();
         showsRun_ = true;
     }
     scene_->setSnapshot(snapshot);
@@ -141,17 +145,26 @@ void SceneLink::setOverlays(const render::Overlays& overlays) {
 }
 
 void SceneLink::highlightJoint(int joint) {
-    const bool known = joint < static_cast<int>(mechanism_.joints.size());
-    scene_->highlightBody(-1);
-    scene_->highlightJoint(known ? joint : -1);
+    const bool known = joint >= 0 && joint < static_cast<int>(mechanism_.joints.size());
+    highlightedJoint_ =
+        known ? mechanism_.joints[static_cast<std::size_t>(joint)].name : std::string();
+    highlightedBody_.clear();
+    showHighlight();
     redraw();
 }
 
 void SceneLink::highlightBody(int body) {
-    const bool known = body < static_cast<int>(mechanism_.bodies.size());
-    scene_->highlightJoint(-1);
-    scene_->highlightBody(known ? body : -1);
+    const bool known = body >= 0 && body < static_cast<int>(mechanism_.bodies.size());
+    highlightedBody_ =
+        known ? mechanism_.bodies[static_cast<std::size_t>(body)].name : std::string();
+    highlightedJoint_.clear();
+    showHighlight();
     redraw();
+}
+
+void SceneLink::showHighlight() {
+    scene_->highlightJoint(mechanism_.findJoint(highlightedJoint_));
+    scene_->highlightBody(mechanism_.findBody(highlightedBody_));
 }
 
 void SceneLink::redraw() {

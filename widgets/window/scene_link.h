@@ -38,8 +38,10 @@ class SceneLink : public QObject {
 
   private:
     void showRun(const simcore::run::Snapshot& snapshot);
+    void showMechanism(const simcore::mechanism::Mechanism& mechanism);
     void showTerrain();
     void showFreedoms();
+    void showHighlight();
     void redraw();
 
     Document* document_;
@@ -47,6 +49,8 @@ class SceneLink : public QObject {
     std::shared_ptr<render::Scene> scene_;
     Viewport* viewport_;
     simcore::mechanism::Mechanism mechanism_;  ///< of what is on show
+    // By name: an edit may give the element another place.
+    std::string highlightedJoint_, highlightedBody_;
     QString scenario_;
     simcore::mobility::Model model_ = simcore::mobility::Model::Built;
     bool showsRun_ = false;
