@@ -42,6 +42,7 @@ class QuantityField : public QLineEdit {
     void refused(const QString& why);
 
   protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;

@@ -6,6 +6,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QStandardItemModel>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -167,6 +168,9 @@ QWidget* RunBar::makeSettings() {
     });
     connect(controller_, &QComboBox::activated, this, &RunBar::requestChanged);
     connect(friction_, &QDoubleSpinBox::valueChanged, this, &RunBar::requestChanged);
+    // Typed and confirmed: the next Space drives.
+    connect(friction_->findChild<QLineEdit*>(), &QLineEdit::returnPressed, friction_,
+            &QWidget::clearFocus, Qt::QueuedConnection);
     connect(speed_, &QComboBox::activated, this,
             [this] { session_->setSpeedFactor(speed_->currentData().toDouble()); });
     return row;
