@@ -39,6 +39,11 @@ double WheelDrive::loopTorque(const WheelCommand& command, double error, double 
 
 double WheelDrive::heldBelowSpeed(const WheelCommand& command, double rate, double step) {
     const double sign = command.torque < 0.0 ? -1.0 : 1.0;
+    if (sign != heldSign_) {
+        // What held the wheel one way must not push against a torque the other way.
+        heldSign_ = sign;
+        integral_ = command.torque;
+    }
     const double bound = sign * loopTorque(command, sign * command.speed - rate, step);
     if (bound < sign * command.torque) {
         return sign * bound;

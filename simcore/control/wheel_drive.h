@@ -14,7 +14,10 @@ class WheelDrive {
     /// @param inertia  of the wheel and the reflected rotor about the axle [kg m^2]
     WheelDrive(const mechanism::Wheel& wheel, double inertia);
 
-    void reset() { integral_ = 0.0; }
+    void reset() {
+        integral_ = 0.0;
+        heldSign_ = 1.0;
+    }
 
     /// Torque for the next step [N m]. `rate`: wheel against carrier [rad/s].
     double torque(const WheelCommand& command, double rate, double step);
@@ -31,6 +34,7 @@ class WheelDrive {
     double speedLimit_;
     double inertia_;
     double integral_ = 0.0;  ///< of the loop [N m]
+    double heldSign_ = 1.0;  ///< of the torque in the last Torque command
     double commanded_ = 0.0;
 };
 
