@@ -112,7 +112,7 @@ TEST(FrictionBoundsTest, BoxTurnsAgainstSliding) {
 }
 
 // The normal force may depend on friction, N = N0 + c T, as at a wedge: the limit converges to
-// mu N0 / (1 - mu c) from any start, and a step's answer is within the tolerance promised, 5 %.
+// mu N0 / (1 - mu c) from any start, and what a step agrees to is within 10 % of the cone.
 TEST(FrictionBoundsTest, FixedPointIsThatOfTheWedge) {
     constexpr double kLoad = 20.0;
     for (const double coupling : {-0.8, 0.5, 1.0}) {
@@ -129,7 +129,7 @@ TEST(FrictionBoundsTest, FixedPointIsThatOfTheWedge) {
                     force = {tangential, 0.0, kLoad + coupling * tangential};
                     const Vec3 velocity(-0.1, 0.0, 0.0);
                     if (bounds.update({&contact, 1}, {&force, 1}, {&velocity, 1})) {
-                        EXPECT_LE(tangential, 1.06 * kMu * force.z() + 0.03);
+                        EXPECT_LE(tangential, 1.1 * kMu * force.z());
                         break;
                     }
                 }
@@ -239,8 +239,8 @@ TEST_F(CornerTest, DrumHoldsUpToTheTorqueOfStatics) {
     }
 }
 
-// On level ground a sliding drum is held by exactly mu N of the same step, in the direction
-// against its sliding, while N itself swings as it lands.
+// On level ground a sliding drum is held by mu N of the same step, against its sliding, while N
+// itself swings as it lands; once it lies still on the ground by exactly that.
 TEST(SlidingTest, FrictionIsMuTimesTheNormalForce) {
     const Mechanism drum = makeDrum(kMass, kRadius, 0.08, {0.0, 0.0, kRadius + 0.002});
     const terrain::Terrain ground = levelGround();
@@ -251,6 +251,7 @@ TEST(SlidingTest, FrictionIsMuTimesTheNormalForce) {
     int slid = 0;
     double worst = 0.0;
     double lateral = 0.0;
+    double last = 0.0;
     for (int i = 0; i < 200; ++i) {
         const auto& contacts = finder.find(engine->poses());
         engine->step({none, i < 20 ? spin : none, contacts, 0.3});
@@ -263,11 +264,13 @@ TEST(SlidingTest, FrictionIsMuTimesTheNormalForce) {
         if (force.z() > 2.0 && slip < -0.05) {
             ++slid;
             worst = std::max(worst, std::abs(force.x() / force.z() - 0.3) / 0.3);
+            last = force.x() / force.z();
             lateral = std::max(lateral, std::abs(force.y()) / force.z());
         }
     }
     EXPECT_LT(lateral, 1e-6);
+    EXPECT_NEAR(last, 0.3, 1e-6);
     EXPECT_GT(slid, 50);
-    EXPECT_LT(worst, 0.07);  // 5 % and 0.02 N are what the fixed point promises
+    EXPECT_LT(worst, 0.1);  // from where a patch counts as a friction violation
     EXPECT_GT(engine->counters().passes, engine->counters().steps);
 }
