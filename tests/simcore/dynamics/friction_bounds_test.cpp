@@ -240,7 +240,7 @@ TEST_F(CornerTest, DrumHoldsUpToTheTorqueOfStatics) {
 }
 
 // On level ground a sliding drum is held by mu N of the same step, against its sliding, while N
-// itself swings as it lands; once it lies still on the ground by exactly that.
+// itself swings as it lands; within 2 % once it has landed.
 TEST(SlidingTest, FrictionIsMuTimesTheNormalForce) {
     const Mechanism drum = makeDrum(kMass, kRadius, 0.08, {0.0, 0.0, kRadius + 0.002});
     const terrain::Terrain ground = levelGround();
@@ -264,12 +264,14 @@ TEST(SlidingTest, FrictionIsMuTimesTheNormalForce) {
         if (force.z() > 2.0 && slip < -0.05) {
             ++slid;
             worst = std::max(worst, std::abs(force.x() / force.z() - 0.3) / 0.3);
-            last = force.x() / force.z();
+            if (slip < -0.5) {
+                last = force.x() / force.z();
+            }
             lateral = std::max(lateral, std::abs(force.y()) / force.z());
         }
     }
     EXPECT_LT(lateral, 1e-6);
-    EXPECT_NEAR(last, 0.3, 1e-6);
+    EXPECT_NEAR(last, 0.3, 0.02 * 0.3);  // corners of the friction box stand 2 % outside
     EXPECT_GT(slid, 50);
     EXPECT_LT(worst, 0.1);  // from where a patch counts as a friction violation
     EXPECT_GT(engine->counters().passes, engine->counters().steps);
