@@ -16,14 +16,17 @@ constexpr double kToleranceForce = 0.02;
 constexpr double kDirected = 0.3;
 constexpr std::size_t kNumbersPerMemory = 9;
 
-// The box's half width across its direction: its corners stand 2 % outside the cone.
+// A narrow box's half width across its direction: its corners stand 2 % outside the cone.
 constexpr double kAcross = 0.2;
+// A wheel that sticks with less than this share of its limit gets a square box instead, which does
+// not care which way its force turns.
+constexpr double kLoose = 0.6;
 // A wheel slides when its contact moves faster than this [m/s]; 1 % of the usual speed of travel.
 constexpr double kSliding = 1e-3;
 
-void setLimit(FrictionBox& box, double limit) {
+void setLimit(FrictionBox& box, double limit, bool loose) {
     box.along = limit;
-    box.across = kAcross * limit;
+    box.across = loose ? limit : kAcross * limit;
 }
 
 Vec3 tangentialPart(const Vec3& force, const Vec3& normal) {
@@ -54,8 +57,9 @@ void FrictionBounds::begin(std::span<const contact::Contact> contacts, double fr
         box.direction = contacts[i].forward;
         if (const Remembered* old = recall(contacts[i])) {
             box.fromNormalForce = false;
-            setLimit(box, friction * old->normalForce);
             const Vec3 tangential = tangentialPart(old->tangential, contacts[i].normal);
+            const double limit = friction * old->normalForce;
+            setLimit(box, limit, tangential.norm() < kLoose * limit);
             if (tangential.norm() > kDirected * box.along && tangential.norm() > kToleranceForce) {
                 box.direction = tangential.normalized();
             }
@@ -86,10 +90,11 @@ bool FrictionBounds::update(std::span<const contact::Contact> contacts,
         }
         // Later passes move half-way only, in case the fixed point is approached from both sides.
         const double step = box.fromNormalForce || updates_ < 3 ? 1.0 : 0.5;
-        setLimit(box, box.along + step * (limit - box.along));
-        box.fromNormalForce = false;
         const Vec3 sliding = tangentialPart(velocities[i], normal);
-        if (sliding.norm() > kSliding) {
+        const bool slides = sliding.norm() > kSliding;
+        setLimit(box, box.along + step * (limit - box.along), !slides && size < kLoose * limit);
+        box.fromNormalForce = false;
+        if (slides) {
             box.direction = -sliding.normalized();
         } else if (size > kDirected * limit && size > kToleranceForce) {
             box.direction = tangential.normalized();
