@@ -69,9 +69,11 @@ class RunningTest : public testsupport::StudioTest {
 
 TEST_F(RunningTest, SpacePlaysAndPausesAndTimeAdvances) {
     ASSERT_EQ(session().state(), State::Empty);
+    EXPECT_FALSE(window->plots().hint().isEmpty());
     press(Qt::Key_Space);
     EXPECT_EQ(session().state(), State::Playing);
     ASSERT_TRUE(waitUntil([&] { return session().endTime() > 0.2; }));
+    EXPECT_TRUE(waitUntil([&] { return window->plots().hint().isEmpty(); }));
     press(Qt::Key_Space);
     EXPECT_EQ(session().state(), State::Paused);
     const double stopped = session().endTime();

@@ -154,7 +154,6 @@ void PlotPanel::Impl::build() {
     connect(session, &RunSession::dataReplaced, panel, [this] { takeData(true); });
     connect(session, &RunSession::snapshotChanged, panel, [this] { schedule(); });
     connect(session, &RunSession::stateChanged, panel, [this] {
-        updateHints();
         schedule();  // the whole run's window depends on whether it goes on
     });
     startRun();
@@ -277,7 +276,6 @@ void PlotPanel::Impl::startRun() {
         follow->setCurrentIndex(0);
     }
     takeData(true);
-    updateHints();
 }
 
 void PlotPanel::Impl::startPlot(int index) {
@@ -366,9 +364,9 @@ void PlotPanel::Impl::takeData(bool anew) {
         plot.append(recording, plotted);
     }
     plotted = recording.rows.size();
+    updateHints();
     if (anew) {
         followTime();
-        updateHints();
         replotAll();
     }
 }
@@ -462,7 +460,6 @@ void PlotPanel::Impl::updateHints() {
                                                  "appears here")
                                  : QString());
     }
-    schedule();
 }
 
 bool PlotPanel::Impl::onMouse(int plot, QMouseEvent* event, bool clicked) {
@@ -579,6 +576,10 @@ void PlotPanel::setWheelShown(int wheel, bool shown) {
 
 double PlotPanel::cursorTime() const {
     return impl_->mouseTime.value_or(impl_->session->shownTime());
+}
+
+QString PlotPanel::hint() const {
+    return impl_->plots.front()->hint();
 }
 
 std::pair<double, double> PlotPanel::window() const {

@@ -28,6 +28,8 @@ class PlotPanel : public QWidget {
     double cursorTime() const;
     /// The time window on show [s].
     std::pair<double, double> window() const;
+    /// What stands in place of the curves while there are none.
+    QString hint() const;
     /// Writes all shown plots as one picture in light colours: .png, .svg or .pdf by the file's
     /// ending. Problems when the file cannot be written or has another ending.
     simcore::Problems savePicture(const QString& file);

@@ -157,6 +157,10 @@ void WheelPlot::setMarks(double shownTime, std::optional<double> mouseTime) {
     mouse_->setVisible(mouseTime.has_value());
 }
 
+QString WheelPlot::hint() const {
+    return hint_->visible() ? hint_->text() : QString();
+}
+
 void WheelPlot::setHint(const QString& text) {
     hint_->setText(text);
     hint_->setVisible(!text.isEmpty());

@@ -52,6 +52,7 @@ class WheelPlot {
     /// Vertical lines: the instant on show, and the one under the mouse.
     void setMarks(double shownTime, std::optional<double> mouseTime);
     void setHint(const QString& text);
+    QString hint() const;
     void applyColors(const QPalette& palette);
     void replot();
     /// The same plot in light colours.
