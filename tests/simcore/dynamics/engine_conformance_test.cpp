@@ -378,6 +378,18 @@ TEST_P(ContactConformanceTest, RestoredContactsContinueBitForBit) {
     EXPECT_EQ(other->engine().saveState(), straight);
 }
 
+// A reset forgets the contacts too: the same steps again, bit for bit.
+TEST_P(ContactConformanceTest, ResetForgetsTheContacts) {
+    const terrain::Terrain ground = slopeThroughOrigin(0.6);
+    World world(GetParam(), makeDrumOn(0.6), kGravityHere);
+    world.placeOn(ground, 0.15);
+    world.run(0.05);
+    const std::vector<double> first = world.engine().saveState();
+    world.engine().reset();
+    world.run(0.05);
+    EXPECT_EQ(world.engine().saveState(), first);
+}
+
 // Worlds share nothing: four at the same time in their own threads end as one alone.
 TEST_P(ContactConformanceTest, WorldsInThreadsEndAsAlone) {
     const terrain::Terrain ground = slopeThroughOrigin(0.3);

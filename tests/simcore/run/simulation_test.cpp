@@ -374,6 +374,18 @@ TEST(RepeatabilityTest, SameRunGivesTheSameHash) {
     EXPECT_EQ(together, std::vector<std::string>(2, first.stateHash));
 }
 
+// A reset forgets what a controller has summed up, also without settling, which would forget it.
+TEST(RepeatabilityTest, ResetForgetsTheController) {
+    ResolvedRun run = climbing();
+    run.controller = ControllerKind::EqualTorque;
+    run.settle = run.ramp = 0.0;
+    run.duration = 0.1;
+    Simulation simulation(run);
+    const RunReport first = runToEnd(simulation);
+    simulation.reset();
+    EXPECT_EQ(runToEnd(simulation).stateHash, first.stateHash);
+}
+
 // A worker ends in the same state at any pacing, with pauses.
 TEST(RepeatabilityTest, PacingDoesNotChangeTheHash) {
     const ResolvedRun run = climbing();
@@ -494,6 +506,13 @@ TEST_F(EndOfRunTest, BlowUpStopsTheRunAndKeepsItsData) {
         EXPECT_TRUE(std::isfinite(value));
     }
     EXPECT_TRUE(std::isfinite(report.loopErrorMax) && std::isfinite(report.energy));
+    // The state kept is that of the last good step.
+    Simulation before(run);
+    while (before.snapshot().step < report.steps) {
+        before.step();
+    }
+    EXPECT_FALSE(before.finished());
+    EXPECT_EQ(before.report().stateHash, report.stateHash);
     // The same happens under a worker, which keeps the rows up to there.
     RunWorker worker(run);
     worker.setSpeedFactor(0.0);
