@@ -516,8 +516,9 @@ QString PlotPanel::Impl::suggestedName(const QString& ending) const {
                                       session->settings().scenario)
                    .replace(' ', '_');
     }
-    return QDir(QSettings().value("export/folder", QDir::homePath()).toString())
-        .filePath(name + ending);
+    const QString project = QString::fromStdString(session->projectFile());
+    const QString first = project.isEmpty() ? QDir::homePath() : QFileInfo(project).absolutePath();
+    return QDir(QSettings().value("export/folder", first).toString()).filePath(name + ending);
 }
 
 void PlotPanel::Impl::complain(const Problems& problems, const QString& what) {
@@ -652,9 +653,11 @@ void PlotPanel::exportCsv() {
         return;
     }
     QSettings().setValue("export/folder", QFileInfo(file).absolutePath());
-    const auto written = impl_->session->exportCsv(file);
-    if (!written) {
-        impl_->complain(written.problems(), tr("Export CSV"));
+    const auto result = impl_->session->exportCsv(file);
+    if (result) {
+        emit written(file);
+    } else {
+        impl_->complain(result.problems(), tr("Export CSV"));
     }
 }
 
@@ -667,7 +670,9 @@ void PlotPanel::exportPicture() {
     }
     QSettings().setValue("export/folder", QFileInfo(file).absolutePath());
     const Problems problems = savePicture(file);
-    if (!problems.empty()) {
+    if (problems.empty()) {
+        emit written(file);
+    } else {
         impl_->complain(problems, tr("Save picture"));
     }
 }

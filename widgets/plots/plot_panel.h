@@ -43,6 +43,10 @@ class PlotPanel : public QWidget {
     /// Shows the whole recording.
     void fit();
 
+  signals:
+    /// A file was written.
+    void written(const QString& file);
+
   protected:
     void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;

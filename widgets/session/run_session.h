@@ -76,6 +76,9 @@ class RunSession : public QObject {
     const simcore::run::ResolvedRun& settings() const;
     simcore::run::RunReport report() const;
 
+    /// File of the project that is run; empty when it has none yet.
+    const std::string& projectFile() const { return origin_.projectFile; }
+
     const simcore::run::Recording& recording() const { return store_.recording(); }
 
     const simcore::io::RecordingOrigin& origin() const { return origin_; }

@@ -240,6 +240,8 @@ void MainWindow::connectParts() {
     });
     connect(mass_, &MassPanel::bodyChosen, this, &MainWindow::selectBody);
     connect(link_, &SceneLink::problems, problems_, &ProblemsPanel::showMore);
+    connect(plots_, &PlotPanel::written, this,
+            [this](const QString& file) { tell(tr("Written: %1").arg(file)); });
 
     connect(runBar_, &RunBar::requestChanged, this, [this] {
         if (session_->state() == State::Playing) {

@@ -235,7 +235,9 @@ void MainWindow::saveScreenshot() {
     if (QFileInfo(file).suffix().isEmpty()) {
         file += ".png";
     }
-    if (!image.save(file)) {
+    if (image.save(file)) {
+        tell(tr("Written: %1").arg(file));
+    } else {
         QMessageBox::warning(this, tr("Save 3D view"),
                              tr("%1 could not be written. Check that the folder exists and can be "
                                 "written, and that the name ends in .png.")
