@@ -223,7 +223,7 @@ void QuantityField::paintEvent(QPaintEvent* event) {
     place.setLeft(place.right() - wanted);
     if (used + wanted > inside.width()) {
         // The expression is cut rather than its value.
-        painter.fillRect(place, palette().base());
+        painter.fillRect(place.adjusted(0, 0, 8, 0), palette().base());
     }
     QColor color = palette().text().color();
     color.setAlphaF(0.6F);

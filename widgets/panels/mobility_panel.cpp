@@ -68,7 +68,9 @@ class ShareDelegate : public QStyledItemDelegate {
             return;
         }
         const QRectF place = QRectF(option.rect).adjusted(4, 6, -38, -6);
-        QColor color = option.palette.color(QPalette::Highlight);
+        const bool selected = option.state.testFlag(QStyle::State_Selected);
+        QColor color =
+            option.palette.color(selected ? QPalette::HighlightedText : QPalette::Highlight);
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
         painter->setPen(Qt::NoPen);
@@ -80,7 +82,8 @@ class ShareDelegate : public QStyledItemDelegate {
         QRectF filled = place;
         filled.setWidth(place.width() * std::clamp(share.toDouble(), 0.0, 1.0));
         painter->drawRoundedRect(filled, 2, 2);
-        painter->setPen(option.palette.color(QPalette::Text));
+        painter->setPen(
+            option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
         painter->drawText(QRectF(option.rect).adjusted(0, 0, -4, 0),
                           Qt::AlignRight | Qt::AlignVCenter,
                           QString("%1 %").arg(100.0 * share.toDouble(), 0, 'f', 0));
