@@ -402,6 +402,7 @@ TEST_P(ContactConformanceTest, WorldsInThreadsEndAsAlone) {
     std::vector<std::vector<double>> alone(4);
     std::vector<std::vector<double>> together(4);
     std::vector<std::thread> threads;
+    threads.reserve(together.size());
     for (std::size_t i = 0; i < 4; ++i) {
         roll(0.05 * static_cast<double>(i), alone[i]);
     }

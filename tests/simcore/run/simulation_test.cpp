@@ -365,6 +365,7 @@ TEST(RepeatabilityTest, SameRunGivesTheSameHash) {
     EXPECT_EQ(reportOf(run).stateHash, first.stateHash);
     std::vector<std::string> together(2);
     std::vector<std::thread> threads;
+    threads.reserve(together.size());
     for (std::string& hash : together) {
         threads.emplace_back([&] { hash = reportOf(run).stateHash; });
     }
