@@ -332,6 +332,10 @@ bool openGlAvailable() {
     return !rendererName().isEmpty();
 }
 
+QString openGlRenderer() {
+    return rendererName();
+}
+
 void prepareOpenGl() {
     QSurfaceFormat format;
     format.setRenderableType(QSurfaceFormat::OpenGL);

@@ -81,6 +81,9 @@ class Viewport : public QOpenGLWidget {
 /// True when this platform plugin can show OpenGL widgets (tested once, by making a context).
 bool openGlAvailable();
 
+/// Name of what draws OpenGL here, as the driver gives it; empty when nothing does.
+QString openGlRenderer();
+
 /// Call before QApplication is made: surface format and context sharing that the viewport needs.
 void prepareOpenGl();
 

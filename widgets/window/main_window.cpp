@@ -11,6 +11,7 @@
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
+#include <QSysInfo>
 #include <QTabWidget>
 #include <QToolBar>
 #include <QToolButton>
@@ -497,6 +498,23 @@ void MainWindow::updateIcons() {
     for (const auto& [name, icon] : icons) {
         actions_->at(name)->setIcon(lineIcon(icon, palette()));
     }
+}
+
+void MainWindow::showSystem() {
+    const QString renderer = openGlRenderer();
+    QMessageBox box(
+        QMessageBox::NoIcon, tr("System information"),
+        tr("<table cellspacing=6><tr><td>RoverStudio</td><td>%1</td></tr>"
+           "<tr><td>System</td><td>%2</td></tr>"
+           "<tr><td>Qt</td><td>%3, platform %4</td></tr>"
+           "<tr><td>OpenGL</td><td>%5</td></tr></table>")
+            .arg(QString::fromStdString(simcore::programVersion()),
+                 QSysInfo::prettyProductName() + ", " + QSysInfo::currentCpuArchitecture(),
+                 qVersion(), QGuiApplication::platformName(),
+                 renderer.isEmpty() ? tr("not available") : renderer),
+        QMessageBox::Close, this);
+    box.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    box.exec();
 }
 
 void MainWindow::showAbout() {

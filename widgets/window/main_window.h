@@ -95,6 +95,7 @@ class MainWindow : public QMainWindow {
     void stepForward();
     void saveScreenshot();
     void showAbout();
+    void showSystem();
     void tell(const QString& message);
 
     Document* document_;

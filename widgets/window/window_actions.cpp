@@ -24,6 +24,8 @@ void MainWindow::makeActions() {
     makeRunActions();
     actions_->add("shortcuts", tr("&Keyboard shortcuts"), {QKeySequence(Qt::Key_F1)},
                   tr("List all shortcuts"), [this] { showShortcuts(*actions_, this); });
+    actions_->add("system", tr("System &information"), {},
+                  tr("Versions and what draws, for a report"), [this] { showSystem(); });
     actions_->add("about", tr("&About RoverStudio"), {}, {}, [this] { showAbout(); });
     for (QAction* action : actions_->all()) {
         // The step keys belong to the view and the run panel alone: see makeDocks().
@@ -51,7 +53,8 @@ void MainWindow::makeFileActions() {
     actions_->add("screenshot", tr("3D &view as picture..."), {QKeySequence("Ctrl+Shift+V")},
                   tr("Save the 3D view as PNG"), [this] { saveScreenshot(); });
     actions_->at("screenshot")->setEnabled(viewport_ != nullptr);
-    actions_->add("quit", tr("&Quit"), {QKeySequence("Ctrl+Q")}, {}, [this] { close(); });
+    actions_->add("quit", tr("&Quit"), {QKeySequence("Ctrl+Q"), QKeySequence("Ctrl+W")}, {},
+                  [this] { close(); });
 
     QAction* undo = document_->undoStack().createUndoAction(actions_, tr("&Undo"));
     undo->setShortcuts({QKeySequence("Ctrl+Z")});
@@ -206,7 +209,7 @@ void MainWindow::makeMenus() {
     fill(menuBar()->addMenu(tr("&Run")), {"playPause", "step", "stepBack", "live", "reset", "",
                                           "faster", "slower", "", "showDesign"});
     fill(menuBar()->addMenu(tr("&Analyze")), {"showMobility", "showProblems"});
-    fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "about"});
+    fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "system", "", "about"});
 }
 
 void MainWindow::updateRecent() {
