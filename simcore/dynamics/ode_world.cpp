@@ -56,6 +56,9 @@ long odeMessagesOnThisThread() {
 OdeWorld::OdeWorld() {
     useOdeOnThisThread();
     world_ = dWorldCreate();
+    threading_ = dThreadingAllocateSelfThreadedImplementation();
+    dWorldSetStepThreadingImplementation(world_, dThreadingImplementationGetFunctions(threading_),
+                                         threading_);
     contactGroup_ = dJointGroupCreate(0);
     dWorldSetERP(world_, kErrorReduction);
     dWorldSetCFM(world_, kCompliance);
@@ -69,6 +72,7 @@ OdeWorld::OdeWorld() {
 OdeWorld::~OdeWorld() {
     dJointGroupDestroy(contactGroup_);
     dWorldDestroy(world_);
+    dThreadingFreeImplementation(threading_);
 }
 
 }  // namespace simcore::dynamics

@@ -18,7 +18,9 @@ inline Vec3 toVec3(const dReal* v) {
     return {v[0], v[1], v[2]};
 }
 
-/// Owns a world and its contact group; joints and bodies die with the world.
+/// Owns a world and its contact group; joints and bodies die with the world. Each world has a
+/// threading implementation of its own: ODE's default one is shared by all worlds, without locks,
+/// and worlds that step in two threads at once corrupt it.
 class OdeWorld {
   public:
     OdeWorld();
@@ -31,6 +33,7 @@ class OdeWorld {
     dJointGroupID contactGroup() const { return contactGroup_; }
 
   private:
+    dThreadingImplementationID threading_;
     dWorldID world_;
     dJointGroupID contactGroup_;
 };
