@@ -3,6 +3,11 @@
 namespace simcore::control {
 namespace {
 
+// A brake's loop: as stiff as the drive's inertia allows (the drive divides the gains), and back at
+// its place within some 5 ms.
+constexpr double kBrakeProportional = 1e3;
+constexpr double kBrakeIntegral = kBrakeProportional / 0.005;
+
 class SpeedController final : public Controller {
   public:
     SpeedController(const mechanism::Mechanism& mechanism, const ControllerSettings& settings)
@@ -20,11 +25,14 @@ class SpeedController final : public Controller {
             const double speed = command.brake ? 0.0 : command.speed - turn * wheel.center.y();
             out[i].mode = WheelMode::Speed;
             out[i].speed = speed / wheel.radius;
-            out[i].proportional = settings_.proportional > 0.0
-                                      ? settings_.proportional
-                                      : kLoopProportional * wheel.torqueLimit;
-            out[i].integral =
-                settings_.integral > 0.0 ? settings_.integral : kLoopIntegral * wheel.torqueLimit;
+            const auto gain = [&](double set, double share, double brakeShare) {
+                return command.brake ? brakeShare * wheel.torqueLimit
+                       : set > 0.0   ? set
+                                     : share * wheel.torqueLimit;
+            };
+            out[i].proportional =
+                gain(settings_.proportional, kLoopProportional, kBrakeProportional);
+            out[i].integral = gain(settings_.integral, kLoopIntegral, kBrakeIntegral);
             out[i].torqueCap = wheel.torqueLimit;
         }
     }

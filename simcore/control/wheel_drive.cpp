@@ -8,6 +8,9 @@ namespace {
 
 // Drive torque fades to zero over this share of the speed limit (assumed torque-speed line).
 constexpr double kFade = 0.1;
+// A drive's loop answers no faster than this [s] (assumed: twice in a control period of 10 ms).
+// Being longer than usual steps, it makes the loop the same at all of them.
+constexpr double kLoopTime = 0.005;
 
 }  // namespace
 
@@ -26,9 +29,10 @@ double WheelDrive::available(double torque, double rate) const {
 }
 
 double WheelDrive::loopTorque(const WheelCommand& command, double error, double step) {
-    // Backward Euler for a free wheel: its error shrinks by h tau / I within the step. The integral
-    // is what balances the load, so it is not divided.
-    const double divisor = 1.0 + (command.proportional + command.integral * step) * step / inertia_;
+    // Backward Euler for a free wheel: its error shrinks by h tau / I within h. The integral is
+    // what balances the load, so it is not divided.
+    const double h = std::max(step, kLoopTime);
+    const double divisor = 1.0 + (command.proportional + command.integral * h) * h / inertia_;
     const double cap = std::min(command.torqueCap, torqueLimit_);
     // Anti-windup: the integral stays where the limits leave it of use.
     integral_ = command.integral > 0.0

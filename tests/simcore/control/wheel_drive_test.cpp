@@ -102,10 +102,10 @@ TEST(WheelDriveTest, DrivingTorqueFadesAboveTheSpeedLimit) {
     }
 }
 
-// Without an integral the loop is backward Euler: a free wheel's error shrinks by
-// 1 / (1 + K h / I) in every step, whatever the step.
-TEST(WheelDriveTest, ProportionalLoopIsBackwardEuler) {
-    for (const double step : {0.0005, 0.002, 0.02}) {
+// Without an integral and at long steps the loop is backward Euler: a free wheel's error shrinks by
+// 1 / (1 + K h / I) in every step.
+TEST(WheelDriveTest, ProportionalLoopIsBackwardEulerAtLongSteps) {
+    for (const double step : {0.005, 0.01, 0.02}) {
         FreeWheel wheel(step);
         const double gain = 0.3;
         double error = 1.5;
@@ -117,11 +117,27 @@ TEST(WheelDriveTest, ProportionalLoopIsBackwardEuler) {
     }
 }
 
-// With a short step the PI loop's error follows I e'' + K e' + Ki e = 0 from e = w, e' = -K w / I.
+// At all usual steps the same error gives the same torque: the step must not change how stiffly a
+// wheel is driven.
+TEST(WheelDriveTest, UsualStepsDriveAWheelEquallyStiffly) {
+    for (const double error : {0.01, -0.4, 1.0}) {
+        const double torque = makeDrive().torque(speedCommand(error, 0.3, 0.0), 0.0, 0.005);
+        EXPECT_GT(torque * error, 0.0);
+        for (const double step : {0.00025, 0.0005, 0.001, 0.002}) {
+            EXPECT_EQ(makeDrive().torque(speedCommand(error, 0.3, 0.0), 0.0, step), torque);
+        }
+    }
+}
+
+// With a short step the PI loop's error follows I e'' + K e' + Ki e = 0 from e = w, e' = -K w / I,
+// with the gains K and Ki of a loop that answers in 5 ms: divided by 1 + (K + Ki h) h / I.
 TEST(WheelDriveTest, ShortStepsFollowTheDifferentialEquation) {
     const double step = 1e-5;
-    const double K = 0.02;
-    const double Ki = 0.04;
+    const double givenK = 0.02;
+    const double givenKi = 0.04;
+    const double divisor = 1.0 + (givenK + givenKi * 0.005) * 0.005 / kInertia;
+    const double K = givenK / divisor;
+    const double Ki = givenKi / divisor;
     FreeWheel wheel(step);
     const double half = 0.5 * K / kInertia;
     const double root = std::sqrt(half * half - Ki / kInertia);
@@ -132,7 +148,7 @@ TEST(WheelDriveTest, ShortStepsFollowTheDifferentialEquation) {
     const double a = (start - slow * target) / (fast - slow);
     const double b = target - a;
     for (int i = 1; i <= 50000; ++i) {
-        wheel.advance(speedCommand(target, K, Ki));
+        wheel.advance(speedCommand(target, givenK, givenKi));
         if (i % 5000 == 0) {
             const double t = i * step;
             const double expected = a * std::exp(fast * t) + b * std::exp(slow * t);
