@@ -51,7 +51,7 @@ namespace {
 
 /// Problems of the project itself and of everything its scenarios would run.
 Problems everythingWrong(const project::Project& project) {
-    Problems problems = project::validate(project);
+    Problems problems = run::checkProject(project);
     if (hasCritical(problems)) {
         return problems;
     }
@@ -59,8 +59,8 @@ Problems everythingWrong(const project::Project& project) {
         run::RunRequest request;
         request.scenario = scenario.name;
         for (Problem problem : run::prepareRun(project, request).problems()) {
-            problem.element = "scenario " + scenario.name + ", " + problem.element;
             if (problem.severity == Severity::Critical) {
+                problem.element = "scenario " + scenario.name + ", " + problem.element;
                 problems.push_back(problem);
             }
         }

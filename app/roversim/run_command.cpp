@@ -127,17 +127,17 @@ int runScenario(const Options& options) {
     if (!prepared) {
         return kAnswerIsNo;
     }
+    if (prepared->controller == project::ControllerKind::Manual && !(prepared->duration > 0.0)) {
+        fmt::print(stderr,
+                   "roversim: nobody drives a manual run here, so it would never end: give "
+                   "--duration, or another --controller\n");
+        return kWrongUse;
+    }
     run::Simulation simulation(std::move(prepared).value());
     const run::Recording recording = drive(simulation);
     const run::RunReport report = simulation.report();
     if (!options.csv.empty()) {
-        io::RecordingOrigin origin;
-        origin.projectName = project->rover.name;
-        origin.projectFile = options.file;
-        origin.assignments = *assignments;
-        if (const auto values = project::evaluateParameters(project->rover, {}, *assignments)) {
-            origin.parameters = *values;
-        }
+        const io::RecordingOrigin origin = io::originOf(*project, request, options.file);
         const auto saved =
             io::saveCsv(recording, simulation.settings(), report, origin, options.csv);
         printProblems(options.csv, saved.problems());

@@ -73,6 +73,24 @@ Json settingsOf(const run::ResolvedRun& run) {
 
 }  // namespace
 
+RecordingOrigin originOf(const project::Project& project, const run::RunRequest& request,
+                         const std::string& projectFile) {
+    RecordingOrigin origin;
+    origin.projectName = project.rover.name;
+    origin.projectFile = projectFile;
+    origin.assignments = request.assignments;
+    for (const project::Scenario& scenario : project.scenarios) {
+        if (scenario.name == request.scenario) {
+            origin.variant = scenario.variant;
+        }
+    }
+    const auto values = project::evaluateParameters(project, origin.variant, request.assignments);
+    if (values) {
+        origin.parameters = *values;
+    }
+    return origin;
+}
+
 std::string formatCsv(const std::vector<run::Channel>& channels,
                       const std::vector<std::vector<double>>& rows) {
     std::string out;

@@ -19,6 +19,11 @@ struct RecordingOrigin {
     std::vector<project::Assignment> assignments;  ///< overrides on top of the file's values
 };
 
+/// The origin of a run of this project as requested: parameters with the scenario's variant and the
+/// request's overrides.
+RecordingOrigin originOf(const project::Project& project, const run::RunRequest& request,
+                         const std::string& projectFile);
+
 /// The table: UTF-8, comma, LF, decimal point whatever the locale; one header row, not commented.
 /// Numbers are the shortest that read back exactly; a NaN (a missing value) is an empty cell.
 /// A row whose length is not that of `channels` is a caller's mistake (std::invalid_argument).

@@ -1,4 +1,5 @@
 // Parameter values: overrides, dependency order, ranges.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -65,6 +66,12 @@ class ParameterSolver {
             }
             return;
         }
+        if (!parameter.unit.empty() && parameter.unit != "-" &&
+            findUnit(parameter.unit) == nullptr) {
+            problems_.push_back({Severity::Warning, "parameter " + parameter.name,
+                                 fmt::format("its unit '{}' is not known.", parameter.unit),
+                                 "Use a unit such as mm, deg or kg; it is shown in SI now."});
+        }
         const auto found = overrides_.find(parameter.name);
         const Quantity& quantity = found == overrides_.end() ? parameter.value : found->second;
         value(parameter, quantity, found != overrides_.end());
@@ -114,6 +121,11 @@ class ParameterSolver {
     }
 
     void checkRange(const Parameter& parameter, double number, bool overridden) {
+        if (parameter.minimum && parameter.maximum && *parameter.minimum > *parameter.maximum) {
+            problems_.push_back(parameterProblem(
+                parameter.name, "its minimum is above its maximum.", "Swap or correct them."));
+            return;
+        }
         const bool low = parameter.minimum && number < *parameter.minimum;
         const bool high = parameter.maximum && number > *parameter.maximum;
         if (!low && !high) {
@@ -180,6 +192,20 @@ Result<ParameterValues> evaluateParameters(const Rover& rover, const std::vector
         }
     }
     return solver.solve(rover);
+}
+
+Result<ParameterValues> evaluateParameters(const Project& project, const std::string& variant,
+                                           const std::vector<Assignment>& assignments) {
+    if (variant.empty()) {
+        return evaluateParameters(project.rover, {}, assignments);
+    }
+    const auto found = std::find_if(project.variants.begin(), project.variants.end(),
+                                    [&](const Variant& v) { return v.name == variant; });
+    if (found == project.variants.end()) {
+        return Problem{Severity::Critical, "variant " + variant, "there is no such variant.",
+                       "Name one of the project's variants, or none."};
+    }
+    return evaluateParameters(project.rover, found->set, assignments);
 }
 
 Result<double> evaluate(const Quantity& quantity, const ParameterValues& parameters,

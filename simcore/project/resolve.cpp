@@ -160,6 +160,7 @@ class Resolver {
         readPayloads();
         readJoints();
         readWheels();
+        finishBodies();
         readSprings();
         readGears();
         if (!hasCritical(problems_)) {
@@ -178,6 +179,7 @@ class Resolver {
     void mergeParts(const std::vector<std::pair<int, int>>& jointParts,
                     const std::vector<bool>& welded);
     void readWheels();
+    void finishBodies();
     void readSprings();
     void readGears();
     void checkConnected();
@@ -224,6 +226,7 @@ class Resolver {
     std::vector<Part> parts_;
     NameIndex partIndex_;
     std::vector<int> bodyOfPart_;
+    std::vector<std::pair<int, MassProperties>> payloads_;  ///< part, what it carries
     /// Joint names of the file to mechanism joints; locked ones are known as kLocked.
     NameIndex jointIndex_;
     static constexpr int kLocked = 1 << 20;
@@ -309,8 +312,7 @@ void Resolver::readPayloads() {
         const Vec3 position =
             mirroredPoint(value_(copy.element->position, element, "position"), copy.side);
         if (part >= 0) {
-            MassProperties& carrier = parts_[static_cast<std::size_t>(part)].mass;
-            carrier = mechanism::merged(carrier, {mass, position, Mat3::Zero()});
+            payloads_.emplace_back(part, MassProperties{mass, position, Mat3::Zero()});
         }
     }
 }
@@ -545,6 +547,11 @@ void Resolver::readWheels() {
         }
         mechanism_.wheels.push_back(std::move(out));
     }
+}
+
+/// Inertias that nobody gave, then what the payloads add: they must not be taken for the body's
+/// own.
+void Resolver::finishBodies() {
     for (mechanism::Body& body : mechanism_.bodies) {
         const std::string element = "body " + body.name;
         if (body.mass > 0.0 && body.inertia.isZero()) {
@@ -555,6 +562,16 @@ void Resolver::readWheels() {
                            "it has neither inertia nor shapes; a solid aluminium ball is assumed.",
                            "Draw a shape, or give its inertia.");
         }
+    }
+    for (const auto& [part, load] : payloads_) {
+        mechanism::Body& body = mechanism_.bodies[static_cast<std::size_t>(bodyOfPart(part))];
+        const MassProperties sum = mechanism::merged({body.mass, body.com, body.inertia}, load);
+        body.mass = sum.mass;
+        body.com = sum.com;
+        body.inertia = sum.inertia;
+    }
+    for (const mechanism::Body& body : mechanism_.bodies) {
+        const std::string element = "body " + body.name;
         if (const std::string why = mechanism::whyNotInertia(body.inertia);
             body.mass > 0.0 && !why.empty()) {
             value_.critical(element, "its inertia is impossible: " + why + ".",
@@ -612,9 +629,11 @@ void Resolver::readGears() {
         out.secondJoint = findJoint(gear.secondJoint, Side::Center, element);
         out.ratio = value_(gear.ratio, element, "ratio", "ratio");
         for (const int joint : {out.firstJoint, out.secondJoint}) {
-            const bool pin = joint >= 0 && joint < kLocked &&
-                             mechanism_.joints[static_cast<std::size_t>(joint)].built.size() == 1;
-            if (joint >= 0 && !pin) {
+            const auto isPin = [&] {
+                const auto& built = mechanism_.joints[static_cast<std::size_t>(joint)].built;
+                return built.size() == 1 && built[0].kind == mechanism::FreedomKind::Turn;
+            };
+            if (joint >= 0 && (joint >= kLocked || !isPin())) {
                 value_.critical(element, "it does not connect two pins.", "Name two pin joints.");
             }
         }
@@ -652,17 +671,7 @@ Result<Mechanism> resolve(const Rover& rover, const ParameterValues& parameters)
 
 Result<Mechanism> resolve(const Project& project, const std::string& variant,
                           const std::vector<Assignment>& assignments) {
-    std::vector<Override> overrides;
-    if (!variant.empty()) {
-        const auto found = std::find_if(project.variants.begin(), project.variants.end(),
-                                        [&](const Variant& v) { return v.name == variant; });
-        if (found == project.variants.end()) {
-            return Problem{Severity::Critical, "variant " + variant, "there is no such variant.",
-                           "Name one of the project's variants."};
-        }
-        overrides = found->set;
-    }
-    const auto parameters = evaluateParameters(project.rover, overrides, assignments);
+    const auto parameters = evaluateParameters(project, variant, assignments);
     if (!parameters) {
         return parameters.problems();
     }

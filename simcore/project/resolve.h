@@ -28,6 +28,10 @@ Result<ParameterValues> evaluateParameters(const Rover& rover,
                                            const std::vector<Override>& variant = {},
                                            const std::vector<Assignment>& assignments = {});
 
+/// The same with the named variant of the project ("" = none).
+Result<ParameterValues> evaluateParameters(const Project& project, const std::string& variant,
+                                           const std::vector<Assignment>& assignments = {});
+
 /// The value of one quantity [SI], a finite number; problems name `element`. A unit written in the
 /// text must be of the `dimension` when one is given ("length", ...).
 Result<double> evaluate(const Quantity& quantity, const ParameterValues& parameters,
@@ -40,6 +44,19 @@ Result<mechanism::Mechanism> resolve(const Rover& rover, const ParameterValues& 
 /// evaluateParameters() and resolve() in one, with the named variant ("" = none).
 Result<mechanism::Mechanism> resolve(const Project& project, const std::string& variant = {},
                                      const std::vector<Assignment>& assignments = {});
+
+/// The numbers of a scenario [SI].
+struct ScenarioValues {
+    double speed = 0.1, assumedFriction = 0.5, controlPeriod = 0.01;
+    double proportional = 0.0, integral = 0.0, derivative = 0.0;  ///< 0 = derived
+    double friction = 0.7, rollingResistance = 0.0;
+    double step = 0.002, distance = 3.5, duration = 0.0, settle = 0.5, ramp = 0.5;
+};
+
+/// Values a scenario's numbers and checks them against ranges that can be run, wide enough to catch
+/// typing errors only. All problems; terrain is checked where it is made.
+Result<ScenarioValues> evaluateScenario(const Scenario& scenario,
+                                        const ParameterValues& parameters);
 
 /// Everything wrong with a project: names, references, expressions, ranges, masses, inertias,
 /// joints, wheels, scenarios. Sorted by severity, then in file order.

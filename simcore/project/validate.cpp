@@ -9,12 +9,6 @@
 namespace simcore::project {
 namespace {
 
-/// A scenario number must lie in a range that any engine can run; wide, to catch typing errors.
-struct Range {
-    double low;
-    double high;
-};
-
 void append(Problems& problems, const Problems& more) {
     for (const Problem& problem : more) {
         if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
@@ -23,65 +17,62 @@ void append(Problems& problems, const Problems& more) {
     }
 }
 
-void checkNumber(const Quantity& quantity, const ParameterValues& parameters,
-                 const std::string& element, const char* what, const char* dimension, Range range,
-                 Problems& problems) {
-    const auto value = evaluate(quantity, parameters, element + ", " + what, dimension);
-    append(problems, value.problems());
-    if (value && !(*value >= range.low && *value <= range.high)) {
-        problems.push_back(
-            {Severity::Critical, element + ", " + what,
-             fmt::format("{:.6g} is not between {:.6g} and {:.6g}.", *value, range.low, range.high),
-             "Correct it; values are in SI unless a unit is written."});
-    }
-}
-
-const std::vector<Override>* findVariant(const Project& project, const std::string& name) {
-    for (const Variant& variant : project.variants) {
-        if (variant.name == name) {
-            return &variant.set;
-        }
-    }
-    return nullptr;
-}
-
 void validateScenario(const Project& project, const Scenario& scenario, Problems& problems) {
-    const std::string element = "scenario " + scenario.name;
-    std::vector<Override> overrides;
-    if (!scenario.variant.empty()) {
-        const auto* found = findVariant(project, scenario.variant);
-        if (found == nullptr) {
-            problems.push_back({Severity::Critical, element,
-                                fmt::format("there is no variant '{}'.", scenario.variant),
-                                "Name one of the project's variants, or none."});
-            return;
+    const auto parameters = evaluateParameters(project, scenario.variant);
+    if (parameters) {
+        append(problems, evaluateScenario(scenario, *parameters).problems());
+        return;
+    }
+    for (const Problem& problem : parameters.problems()) {
+        // The others are reported with the rover or the variant.
+        if (problem.element == "variant " + scenario.variant) {
+            append(problems,
+                   {{problem.severity, "scenario " + scenario.name,
+                     fmt::format("there is no variant '{}'.", scenario.variant), problem.remedy}});
         }
-        overrides = *found;
     }
-    const auto parameters = evaluateParameters(project.rover, overrides);
-    if (!parameters) {
-        return;  // reported with the rover or the variant
-    }
-    const auto check = [&](const Quantity& quantity, const char* what, const char* dimension,
-                           Range range) {
-        checkNumber(quantity, *parameters, element, what, dimension, range, problems);
-    };
-    check(scenario.soil.friction, "friction", "ratio", {0.0, 5.0});
-    check(scenario.soil.rollingResistance, "rolling resistance", "ratio", {0.0, 1.0});
-    check(scenario.controller.speed, "speed", "speed", {-10.0, 10.0});
-    check(scenario.controller.assumedFriction, "assumed friction", "ratio", {0.0, 5.0});
-    check(scenario.controller.period, "controller period", "time", {1e-4, 1.0});
-    check(scenario.controller.proportional, "proportional gain", "", {0.0, 1e6});
-    check(scenario.controller.integral, "integral gain", "", {0.0, 1e6});
-    check(scenario.controller.derivative, "derivative gain", "", {0.0, 1e6});
-    check(scenario.run.step, "step", "time", {1e-5, 0.02});
-    check(scenario.run.distance, "distance", "length", {0.01, 1000.0});
-    check(scenario.run.duration, "duration", "time", {0.0, 1e5});
-    check(scenario.run.settle, "settling time", "time", {0.0, 60.0});
-    check(scenario.run.ramp, "ramp time", "time", {0.0, 60.0});
 }
 
 }  // namespace
+
+Result<ScenarioValues> evaluateScenario(const Scenario& scenario,
+                                        const ParameterValues& parameters) {
+    Problems problems;
+    const auto number = [&](const Quantity& quantity, const char* what, const char* dimension,
+                            double low, double high) {
+        const std::string element = "scenario " + scenario.name + ", " + what;
+        const auto value = evaluate(quantity, parameters, element, dimension);
+        append(problems, value.problems());
+        if (value && !(*value >= low && *value <= high)) {
+            problems.push_back(
+                {Severity::Critical, element,
+                 fmt::format("{:.6g} is not between {:.6g} and {:.6g}.", *value, low, high),
+                 "Correct it; values are in SI unless a unit is written."});
+        }
+        return value ? *value : low;
+    };
+    const Soil& soil = scenario.soil;
+    const Controller& controller = scenario.controller;
+    const RunSettings& run = scenario.run;
+    ScenarioValues v;
+    v.friction = number(soil.friction, "friction", "ratio", 0.0, 5.0);
+    v.rollingResistance = number(soil.rollingResistance, "rolling resistance", "ratio", 0.0, 1.0);
+    v.speed = number(controller.speed, "speed", "speed", -10.0, 10.0);
+    v.assumedFriction = number(controller.assumedFriction, "assumed friction", "ratio", 0.0, 5.0);
+    v.controlPeriod = number(controller.period, "controller period", "time", 1e-4, 1.0);
+    v.proportional = number(controller.proportional, "proportional gain", "", 0.0, 1e6);
+    v.integral = number(controller.integral, "integral gain", "", 0.0, 1e6);
+    v.derivative = number(controller.derivative, "derivative gain", "", 0.0, 1e6);
+    v.step = number(run.step, "step", "time", 1e-5, 0.02);
+    v.distance = number(run.distance, "distance", "length", 0.01, 1000.0);
+    v.duration = number(run.duration, "duration", "time", 0.0, 1e5);
+    v.settle = number(run.settle, "settling time", "time", 0.0, 60.0);
+    v.ramp = number(run.ramp, "ramp time", "time", 0.0, 60.0);
+    if (hasCritical(problems)) {
+        return problems;
+    }
+    return Result<ScenarioValues>(v, std::move(problems));
+}
 
 Problems validate(const Project& project) {
     Problems problems;
@@ -97,9 +88,16 @@ Problems validate(const Project& project) {
                                 "the name is empty or used twice.", "Rename it."});
         }
         const auto values = evaluateParameters(project.rover, variant.set);
-        for (Problem problem : values.problems()) {
-            problem.element = "variant " + variant.name + ", " + problem.element;
-            append(problems, {problem});
+        Problems found = values.problems();
+        if (values) {
+            append(found, resolve(project.rover, *values).problems());
+        }
+        for (Problem problem : found) {
+            // What is wrong without the variant is reported once.
+            if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
+                problem.element = "variant " + variant.name + ", " + problem.element;
+                append(problems, {problem});
+            }
         }
     }
     names.clear();

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -9,8 +8,6 @@
 
 namespace simcore::run {
 namespace {
-
-using project::Quantity;
 
 const project::Scenario* findScenario(const project::Project& project, const std::string& name) {
     for (const project::Scenario& scenario : project.scenarios) {
@@ -28,38 +25,6 @@ std::string scenarioNames(const project::Project& project) {
     }
     return names.empty() ? "none" : names;
 }
-
-/// Values and checks the numbers of one scenario.
-class NumberReader {
-  public:
-    NumberReader(const project::ParameterValues& parameters, std::string element,
-                 Problems& problems)
-        : parameters_(parameters),
-          element_(std::move(element)),
-          problems_(problems) {}
-
-    double operator()(const Quantity& quantity, const char* what, const char* dimension, double low,
-                      double high) {
-        const auto value =
-            project::evaluate(quantity, parameters_, element_ + ", " + what, dimension);
-        if (!value) {
-            problems_.insert(problems_.end(), value.problems().begin(), value.problems().end());
-            return low;
-        }
-        if (!(*value >= low && *value <= high)) {
-            problems_.push_back(
-                {Severity::Critical, element_ + ", " + what,
-                 fmt::format("{:.6g} is not between {:.6g} and {:.6g}.", *value, low, high),
-                 "Correct it; values are in SI unless a unit is written."});
-        }
-        return *value;
-    }
-
-  private:
-    const project::ParameterValues& parameters_;
-    std::string element_;
-    Problems& problems_;
-};
 
 project::Scenario withRequest(project::Scenario scenario, const RunRequest& request) {
     if (request.controller) {
@@ -97,76 +62,104 @@ void checkStart(const ResolvedRun& run, Problems& problems) {
     }
 }
 
-std::optional<ResolvedRun> readRun(const project::Project& project,
-                                   const project::Scenario& scenario, const RunRequest& request,
-                                   Problems& problems) {
-    const std::string element = "scenario " + scenario.name;
-    std::vector<project::Override> overrides;
-    for (const project::Variant& variant : project.variants) {
-        if (variant.name == scenario.variant) {
-            overrides = variant.set;
+/// Adds what is new: the project's own problems come up once for every scenario.
+void append(Problems& problems, const Problems& more) {
+    for (const Problem& problem : more) {
+        if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
+            problems.push_back(problem);
         }
     }
-    const auto parameters =
-        project::evaluateParameters(project.rover, overrides, request.assignments);
-    auto mechanism = project::resolve(project, scenario.variant, request.assignments);
-    problems.insert(problems.end(), mechanism.problems().begin(), mechanism.problems().end());
-    if (!parameters || !mechanism) {
+}
+
+/// Everything but the terrain.
+std::optional<ResolvedRun> readRun(const project::Project& project,
+                                   const project::Scenario& scenario,
+                                   const project::ParameterValues& parameters, Problems& problems) {
+    auto mechanism = project::resolve(project.rover, parameters);
+    const auto values = project::evaluateScenario(scenario, parameters);
+    append(problems, mechanism.problems());
+    append(problems, values.problems());
+    if (!mechanism) {
         return std::nullopt;
     }
     ResolvedRun run;
-    run.mechanism = *mechanism;
-    const Problems engineProblems = dynamics::whyOdeCannotRun(run.mechanism);
-    problems.insert(problems.end(), engineProblems.begin(), engineProblems.end());
-
-    NumberReader number(*parameters, element, problems);
+    run.mechanism = std::move(mechanism).value();
+    append(problems, dynamics::whyOdeCannotRun(run.mechanism));
+    if (!values || hasCritical(problems)) {
+        return std::nullopt;
+    }
+    static_cast<project::ScenarioValues&>(run) = *values;
     run.scenario = scenario.name;
     run.controller = scenario.controller.kind;
-    run.speed = number(scenario.controller.speed, "speed", "speed", -10.0, 10.0);
-    run.assumedFriction =
-        number(scenario.controller.assumedFriction, "assumed friction", "ratio", 0.0, 5.0);
-    run.controlPeriod = number(scenario.controller.period, "controller period", "time", 1e-4, 1.0);
-    run.proportional = number(scenario.controller.proportional, "proportional gain", "", 0.0, 1e6);
-    run.integral = number(scenario.controller.integral, "integral gain", "", 0.0, 1e6);
-    run.derivative = number(scenario.controller.derivative, "derivative gain", "", 0.0, 1e6);
-    run.friction = number(scenario.soil.friction, "friction", "ratio", 0.0, 5.0);
-    run.rollingResistance =
-        number(scenario.soil.rollingResistance, "rolling resistance", "ratio", 0.0, 1.0);
-    run.step = number(scenario.run.step, "step", "time", 1e-5, 0.02);
-    run.distance = number(scenario.run.distance, "distance", "length", 0.01, 1000.0);
-    run.duration = number(scenario.run.duration, "duration", "time", 0.0, 1e5);
-    run.settle = number(scenario.run.settle, "settling time", "time", 0.0, 60.0);
-    run.ramp = number(scenario.run.ramp, "ramp time", "time", 0.0, 60.0);
     run.seed = scenario.run.seed;
-    if (run.mechanism.wheels.empty()) {
-        problems.push_back({Severity::Critical, "rover " + run.mechanism.name,
-                            "it has no wheels to drive on.", "Add wheels."});
-    }
-    if (hasCritical(problems)) {
-        return std::nullopt;
-    }
-    auto terrain = terrain::makeTerrain(scenario.terrain, *parameters, run.distance);
-    problems.insert(problems.end(), terrain.problems().begin(), terrain.problems().end());
-    if (!terrain) {
-        return std::nullopt;
-    }
-    run.terrain = std::make_shared<const terrain::Terrain>(std::move(terrain).value());
-    checkStart(run, problems);
     return run;
 }
 
 }  // namespace
 
+Result<terrain::Terrain> makeScenarioTerrain(const project::Scenario& scenario,
+                                             const project::ParameterValues& parameters) {
+    const auto values = project::evaluateScenario(scenario, parameters);
+    if (!values) {
+        return values.problems();
+    }
+    const double travel = values->speed < 0.0 ? -values->distance : values->distance;
+    return terrain::makeTerrain(scenario.terrain, parameters, travel);
+}
+
+Problems checkProject(const project::Project& project) {
+    Problems problems = project::validate(project);
+    if (hasCritical(problems)) {
+        return problems;
+    }
+    for (const project::Scenario& scenario : project.scenarios) {
+        const auto parameters = project::evaluateParameters(project, scenario.variant);
+        if (!parameters) {
+            continue;  // reported above
+        }
+        Problems found;
+        (void)readRun(project, scenario, *parameters, found);
+        append(found, terrain::whyNoTerrain(scenario.terrain, *parameters));
+        for (Problem problem : found) {
+            if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
+                problem.element = "scenario " + scenario.name + ", " + problem.element;
+                problems.push_back(problem);
+            }
+        }
+    }
+    return problems;
+}
+
 Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest& request) {
-    const project::Scenario* scenario = findScenario(project, request.scenario);
-    if (scenario == nullptr) {
+    const project::Scenario* found = findScenario(project, request.scenario);
+    if (found == nullptr) {
         return Problem{Severity::Critical, "scenario " + request.scenario,
                        "the project has no scenario of this name.",
                        fmt::format("Use one of: {}.", scenarioNames(project))};
     }
-    Problems problems;
-    auto run = readRun(project, withRequest(*scenario, request), request, problems);
-    if (!run || hasCritical(problems)) {
+    const project::Scenario scenario = withRequest(*found, request);
+    const auto parameters =
+        project::evaluateParameters(project, scenario.variant, request.assignments);
+    if (!parameters) {
+        return parameters.problems();
+    }
+    Problems problems = parameters.problems();
+    auto run = readRun(project, scenario, *parameters, problems);
+    if (!run) {
+        return problems;
+    }
+    if (run->mechanism.wheels.empty()) {
+        problems.push_back({Severity::Critical, "rover " + run->mechanism.name,
+                            "it has no wheels to drive on.", "Add wheels."});
+    }
+    auto terrain = makeScenarioTerrain(scenario, *parameters);
+    append(problems, terrain.problems());
+    if (!terrain) {
+        return problems;
+    }
+    run->terrain = std::make_shared<const terrain::Terrain>(std::move(terrain).value());
+    checkStart(*run, problems);
+    if (hasCritical(problems)) {
         return problems;
     }
     return Result<ResolvedRun>(std::move(*run), std::move(problems));

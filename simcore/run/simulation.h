@@ -32,18 +32,23 @@ struct ManualCommand {
     double turn = 0.0;   ///< yaw rate [rad/s], + left
 };
 
-/// Numbers of a scenario after evaluation [SI].
-struct ResolvedRun {
+/// All that a run needs, evaluated [SI].
+struct ResolvedRun : project::ScenarioValues {
     mechanism::Mechanism mechanism;
     std::shared_ptr<const terrain::Terrain> terrain;
     project::ControllerKind controller = project::ControllerKind::Speed;
-    double speed = 0.1, assumedFriction = 0.5, controlPeriod = 0.01;
-    double proportional = 0.0, integral = 0.0, derivative = 0.0;  ///< 0 = derived
-    double friction = 0.7, rollingResistance = 0.0;
-    double step = 0.002, distance = 3.5, duration = 0.0, settle = 0.5, ramp = 0.5;
     int seed = 1;
     std::string scenario;
 };
+
+/// The ground of a scenario; it reaches beyond the way the rover is to drive, ahead of the start or
+/// (negative speed) behind it.
+Result<terrain::Terrain> makeScenarioTerrain(const project::Scenario& scenario,
+                                             const project::ParameterValues& parameters);
+
+/// project::validate(), and what would keep a scenario from running: its terrain, the engine. Makes
+/// no terrain, so that an editor can ask after every edit.
+Problems checkProject(const project::Project& project);
 
 /// Resolves everything a run needs; all problems, none of them left for the engine to abort on.
 Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest& request);

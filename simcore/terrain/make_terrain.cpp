@@ -40,17 +40,24 @@ class TerrainMaker {
     }
 
     Result<Terrain> make() {
-        if (!(travel_ > 0.0 && travel_ <= 1000.0)) {
-            complain("travel", travel_, 0.0, 1000.0);
+        if (!(std::abs(travel_) <= 1000.0)) {
+            complain("travel", travel_, -1000.0, 1000.0);
         }
-        check();
-        if (hasCritical(problems_)) {
+        if (check(); hasCritical(problems_)) {
             return problems_;
         }
         return spec_.kind == TerrainKind::Particles ? makeField() : makeProfile();
     }
 
+    const Problems& problems() {
+        check();
+        return problems_;
+    }
+
   private:
+    /// Where the ground begins [m].
+    double begin() const { return std::min(-kBehind, travel_ - kBeyond); }
+
     double number(const project::Quantity& quantity, const project::ParameterValues& parameters,
                   const char* what, const char* dimension = "length") {
         const auto value =
@@ -134,7 +141,7 @@ void TerrainMaker::check() {
 
 Result<Terrain> TerrainMaker::makeProfile() const {
     Profile profile;
-    addPoint(profile, std::min(-kBehind, n_.start - 1.0), 0.0);
+    addPoint(profile, std::min(begin(), n_.start - 1.0), 0.0);
     switch (spec_.kind) {
         case TerrainKind::Ramp:
             addRamp(profile, n_.start, n_.slope, n_.length);
@@ -159,16 +166,16 @@ Result<Terrain> TerrainMaker::makeProfile() const {
         case TerrainKind::Particles:
             break;
     }
-    addPoint(profile, std::max(travel_, profile.back().x()) + kBeyond, profile.back().y());
+    addPoint(profile, std::max({0.0, travel_, profile.back().x()}) + kBeyond, profile.back().y());
     return Terrain::extruded(profile, -kHalfWidth, kHalfWidth);
 }
 
 Result<Terrain> TerrainMaker::makeField() const {
     HeightField field;
     field.cell = kFieldCell;
-    field.x0 = -kBehind;
+    field.x0 = begin();
     field.y0 = -kFieldHalfWidth;
-    field.nx = static_cast<int>((kBehind + std::max(travel_, n_.start + n_.length) + kBeyond) /
+    field.nx = static_cast<int>((std::max(travel_, n_.start + n_.length) + kBeyond - field.x0) /
                                 kFieldCell) +
                1;
     field.ny = static_cast<int>(std::lround(2.0 * kFieldHalfWidth / kFieldCell)) + 1;
@@ -183,6 +190,10 @@ Result<Terrain> TerrainMaker::makeField() const {
 Result<Terrain> makeTerrain(const project::Terrain& spec,
                             const project::ParameterValues& parameters, double travel) {
     return TerrainMaker(spec, parameters, travel).make();
+}
+
+Problems whyNoTerrain(const project::Terrain& spec, const project::ParameterValues& parameters) {
+    return TerrainMaker(spec, parameters, 0.0).problems();
 }
 
 }  // namespace simcore::terrain

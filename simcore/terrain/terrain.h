@@ -70,9 +70,12 @@ class Terrain {
     std::vector<int> cellTriangles_;
 };
 
-/// Makes the terrain a scenario describes. `travel` [m] is how far the rover is to drive; the
-/// ground reaches at least 2 m behind the start and beyond the end.
+/// Makes the terrain a scenario describes. `travel` [m] is how far the rover is to drive, negative
+/// when backwards; the ground reaches 2.5 m behind the start and 3 m beyond the way at least.
 Result<Terrain> makeTerrain(const project::Terrain& spec,
                             const project::ParameterValues& parameters, double travel);
+
+/// What is wrong with the numbers of a terrain: makeTerrain()'s problems, without making it.
+Problems whyNoTerrain(const project::Terrain& spec, const project::ParameterValues& parameters);
 
 }  // namespace simcore::terrain

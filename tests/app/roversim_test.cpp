@@ -244,6 +244,37 @@ TEST_F(RoversimTest, SolerosFrontWheelCarriesItsShare) {
     EXPECT_LT(front / weight, 0.20);
 }
 
+// The file beside the table tells the parameters that were run: the variant's, not the drawn ones.
+TEST_F(RoversimTest, MetadataOfARunTellItsVariant) {
+    json project = json::parse(readAll(ROVER_SOURCE_DIR "/assets/projects/solero.rover"));
+    project["variants"] = {
+        {{"name", "large"}, {"set", {{{"parameter", "wheel_mass"}, {"value", 0.6}}}}}};
+    for (json& scenario : project["scenarios"]) {
+        scenario["variant"] = "large";
+    }
+    const std::string file = write("large.rover", project.dump());
+    const auto csv = folder_ / "run.csv";
+    const Outcome outcome =
+        roversim("run --scenario flat --duration 0.1 --set wheel_width=6cm --csv '" + csv.string() +
+                 "' '" + file + "'");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const json metadata = json::parse(readAll(folder_ / "run.json"));
+    EXPECT_EQ(metadata.at("variant"), "large");
+    EXPECT_DOUBLE_EQ(metadata.at("parameters").at("wheel_mass"), 0.6);
+    EXPECT_DOUBLE_EQ(metadata.at("parameters").at("wheel_width"), 0.06);
+}
+
+// Without commands and without a time limit a manual run would never end.
+TEST_F(RoversimTest, ManualRunNeedsADuration) {
+    const Outcome refused =
+        roversim("run --scenario flat --controller manual " + shipped("solero"));
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("--duration"));
+    const Outcome timed =
+        roversim("run --scenario flat --controller manual --duration 0.2 " + shipped("solero"));
+    EXPECT_EQ(timed.code, 0) << timed.err;
+}
+
 TEST_F(RoversimTest, RunOfAnUnknownScenarioNamesIt) {
     const Outcome outcome = roversim("run --scenario moon " + shipped("solero"));
     EXPECT_NE(outcome.code, 0);

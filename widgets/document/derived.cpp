@@ -1,10 +1,12 @@
 #include "widgets/document/derived.h"
 
+#include "simcore/run/simulation.h"
+
 namespace widgets {
 
 Derived derive(const simcore::project::Project& project) {
     Derived derived;
-    derived.problems = simcore::project::validate(project);
+    derived.problems = simcore::run::checkProject(project);
     auto parameters = simcore::project::evaluateParameters(project.rover);
     if (!parameters) {
         return derived;

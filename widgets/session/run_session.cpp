@@ -18,31 +18,6 @@ namespace {
 
 constexpr int kPollPeriod_ms = 33;
 
-simcore::io::RecordingOrigin originOf(const simcore::project::Project& project,
-                                      const simcore::run::RunRequest& request,
-                                      const std::string& projectFile) {
-    simcore::io::RecordingOrigin origin;
-    origin.projectName = project.rover.name;
-    origin.projectFile = projectFile;
-    origin.assignments = request.assignments;
-    std::vector<simcore::project::Override> overrides;
-    for (const auto& scenario : project.scenarios) {
-        if (scenario.name == request.scenario) {
-            origin.variant = scenario.variant;
-        }
-    }
-    for (const auto& variant : project.variants) {
-        if (variant.name == origin.variant) {
-            overrides = variant.set;
-        }
-    }
-    const auto values = evaluateParameters(project.rover, overrides, request.assignments);
-    if (values) {
-        origin.parameters = *values;
-    }
-    return origin;
-}
-
 }  // namespace
 
 RunSession::RunSession(QObject* parent) : QObject(parent) {
@@ -69,7 +44,7 @@ Problems RunSession::prepare(const simcore::project::Project& project,
                             "Check the rover's masses, joints and wheels."});
         return problems;
     }
-    adopt(std::move(worker), originOf(project, request, projectFile));
+    adopt(std::move(worker), simcore::io::originOf(project, request, projectFile));
     return problems;
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "simcore/run/simulation.h"
 #include "simcore/terrain/terrain.h"
 
 namespace widgets {
@@ -14,8 +15,8 @@ namespace {
 ParameterValues parametersFor(const simcore::project::Scenario& scenario,
                               const ParameterValues& parameters) {
     const auto& t = scenario.terrain;
-    for (const auto* quantity :
-         {&t.start, &t.height, &t.length, &t.slope, &t.radius, &scenario.run.distance}) {
+    for (const auto* quantity : {&t.start, &t.height, &t.length, &t.slope, &t.radius,
+                                 &scenario.run.distance, &scenario.controller.speed}) {
         if (!quantity->isLiteral()) {
             return parameters;
         }
@@ -103,13 +104,11 @@ void SceneLink::showTerrain() {
     }
     if (terrainShown_ && scenario->terrain == terrainOf_.terrain &&
         scenario->run.distance == terrainOf_.run.distance &&
+        scenario->controller.speed == terrainOf_.controller.speed &&
         parametersFor(*scenario, parameters) == terrainParameters_) {
         return;
     }
-    const auto distance =
-        simcore::project::evaluate(scenario->run.distance, parameters, "distance");
-    auto terrain =
-        simcore::terrain::makeTerrain(scenario->terrain, parameters, distance ? *distance : 3.5);
+    auto terrain = simcore::run::makeScenarioTerrain(*scenario, parameters);
     if (!terrain) {
         emit problems(terrain.problems());
         scene_->setTerrain(nullptr);

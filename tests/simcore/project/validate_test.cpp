@@ -58,6 +58,14 @@ std::vector<Mistake> mistakes() {
          "parameter sin", "cannot be used"},
         {"ParameterOutOfRange", [](Project& p) { p.rover.parameters[0].value = 2.0; },
          "parameter wheel_radius", "above its maximum"},
+        {"MinimumAboveMaximum", [](Project& p) { p.rover.parameters[0].minimum = 0.6; },
+         "parameter wheel_radius", "minimum is above its maximum"},
+        {"GearOfSliders",
+         [](Project& p) {
+             p.rover.joints[0].free = {"slide y"};
+             p.rover.gears.push_back({"gear", "axle_left", "axle_right", -1.0});
+         },
+         "gear gear", "does not connect two pins"},
         {"NanParameter", [](Project& p) { p.rover.parameters[0].value = std::nan(""); },
          "parameter wheel_radius", "not a finite number"},
         {"MissingBody", [](Project& p) { p.rover.joints[0].second = "weel"; }, "joint axle_left",
@@ -139,6 +147,12 @@ std::vector<Mistake> mistakes() {
          "derived"},
         {"VariantOutOfRange", [](Project& p) { p.variants[0].set[0].value = 0.7; },
          "parameter wheel_radius", "above its maximum"},
+        {"VariantMakesAMassNegative",
+         [](Project& p) {
+             p.rover.bodies[0].mass = text("4*(0.12 - wheel_radius)");
+             p.scenarios[0].variant.clear();
+         },
+         "variant big, body chassis", "not positive"},
         {"ScenarioNamedTwice", [](Project& p) { p.scenarios.push_back(p.scenarios[0]); },
          "scenario step", "used twice"},
         {"NegativeFriction", [](Project& p) { p.scenarios[0].soil.friction = -0.1; },
@@ -179,6 +193,40 @@ INSTANTIATE_TEST_SUITE_P(All, MistakeTest, testing::ValuesIn(mistakes()),
 
 TEST(ValidateTest, GoodProjectHasNoProblems) {
     EXPECT_THAT(validate(cart()), IsEmpty()) << toString(validate(cart()));
+}
+
+TEST(ValidateTest, UnknownDisplayUnitIsAWarning) {
+    Project project = cart();
+    project.rover.parameters[0].unit = "furlong";
+    const Problems problems = validate(project);
+    ASSERT_EQ(problems.size(), 1U) << toString(problems);
+    EXPECT_EQ(problems[0].severity, Severity::Warning);
+    EXPECT_EQ(problems[0].element, "parameter wheel_radius");
+    EXPECT_THAT(problems[0].reason, HasSubstr("furlong"));
+}
+
+// A wheel without shapes or inertia counts as a solid cylinder, and a point load adds m d^2 to it.
+TEST(ResolveTest, PayloadAddsToTheInertiaThatIsAssumedForAWheel) {
+    Project project = cart();
+    const double width = 0.05;
+    const auto inertiaOfWheel = [&] {
+        const auto mechanism = resolve(project);
+        EXPECT_TRUE(mechanism) << toString(mechanism.problems());
+        return mechanism->bodies.at(static_cast<std::size_t>(mechanism->findBody("wheel_left")));
+    };
+    const double across = 1.0 * (3.0 * 0.1 * 0.1 + width * width) / 12.0;
+    EXPECT_NEAR(inertiaOfWheel().inertia(0, 0), across, 1e-12);
+    Payload load;
+    load.name = "load";
+    load.body = "wheel_left";
+    load.mass = 1.0;
+    load.position = {0.06, text("track/2"), text("wheel_radius")};
+    project.rover.payloads = {load};
+    const auto body = inertiaOfWheel();
+    EXPECT_DOUBLE_EQ(body.mass, 2.0);
+    EXPECT_NEAR(body.com.x(), 0.03, 1e-12);
+    EXPECT_NEAR(body.inertia(0, 0), across, 1e-12);
+    EXPECT_NEAR(body.inertia(2, 2), across + 2.0 * 0.03 * 0.03, 1e-12);
 }
 
 TEST(ValidateTest, AllProblemsAtOnce) {
