@@ -124,7 +124,7 @@ constexpr double kSpiderMass = 1e-3;
 constexpr double kMeshRadius = 0.1;
 // Compliance that takes all force out of a mesh's unwanted normal row.
 constexpr double kNoForce = 1e3;
-// Share of the gear error corrected per step, as for all joints.
+// Share of the gear error corrected per step.
 constexpr double kErrorReduction = 0.2;
 
 }  // namespace

@@ -52,7 +52,7 @@ struct Body {
     Quantity mass;    ///< [kg]
     Quantity3 com{};  ///< centre of mass [m]
     /// Ixx Iyy Izz Ixy Ixz Iyz about the centre of mass, rover axes [kg m^2]; products of inertia
-    /// with the sign of the matrix entry. Absent: that of the solid shapes' bounding box.
+    /// with the sign of the matrix entry. Absent: that of the shapes as solids.
     std::optional<std::array<Quantity, 6>> inertia;
     std::vector<Shape> shapes;
     bool operator==(const Body&) const = default;
