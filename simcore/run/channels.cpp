@@ -79,7 +79,7 @@ constexpr std::array kWheel{
                        "(wR - v) / max(abs(wR), abs(v), 0.01 m/s): positive when the wheel spins.",
                        [](const WheelState& w) { return w.slipRatio; }},
     Column<WheelState>{"slip_lateral", "Slip (lateral)", "m",
-                       "Sum of the absolute sideways motion of the contact since counting began.",
+                       "Sum of the absolute motion of the wheel centre along the axle since counting began.",
                        [](const WheelState& w) { return w.slipLateral; }},
     Column<WheelState>{"torque_commanded", "Torque (commanded)", "N*m",
                        "Motor torque the controller asked for, positive drives forward.",

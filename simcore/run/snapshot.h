@@ -22,7 +22,7 @@ struct WheelState {
     double slipRatio = 0.0;        ///< (wR - v)/max(|wR|, |v|, 0.01 m/s) [-]
     double slipAbs = 0.0;          ///< cumulated |slip| since the start of counting [m]
     double slipSigned = 0.0;       ///< cumulated paper eq. 6 [m]
-    double slipLateral = 0.0;      ///< cumulated |lateral| motion of the contact [m]
+    double slipLateral = 0.0;      ///< cumulated |motion| of the centre along the axle [m]
     double torqueCommanded = 0.0;  ///< [N m], + drives forward
     double torqueApplied = 0.0;    ///< after limits [N m]
 };
