@@ -17,6 +17,7 @@
 #include "render/overlays/badges.h"
 #include "render/overlays/overlay_nodes.h"
 #include "render/overlays/trail.h"
+#include "simcore/dynamics/engine.h"
 
 namespace render {
 
@@ -27,7 +28,6 @@ using simcore::mechanism::Mechanism;
 using simcore::run::Snapshot;
 
 constexpr std::size_t kShadedWheels = 8;
-constexpr double kGravity = 9.81;
 
 osg::Matrixd matrixOf(const Pose& pose) {
     const auto& q = pose.rotation;
@@ -211,8 +211,8 @@ void Scene::Impl::buildOverlays() {
         add("support polygon", makeSupportPolygon(snapshot, supportOf(snapshot)));
     }
     if (shown.contactForces && !mechanism.wheels.empty()) {
-        const double wheelLoad =
-            mechanism.mass() * kGravity / static_cast<double>(mechanism.wheels.size());
+        const double wheelLoad = mechanism.mass() * simcore::dynamics::kGravity /
+                                 static_cast<double>(mechanism.wheels.size());
         add("contact forces",
             makeForces(snapshot, 0.42 * size / std::max(wheelLoad, 1e-6), 0.022 * size));
     }

@@ -36,6 +36,14 @@ std::string toString(const Problems& problems) {
     return text;
 }
 
+void appendNew(Problems& problems, const Problems& more) {
+    for (const Problem& problem : more) {
+        if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
+            problems.push_back(problem);
+        }
+    }
+}
+
 bool hasCritical(const Problems& problems) {
     return std::any_of(problems.begin(), problems.end(),
                        [](const Problem& p) { return p.severity == Severity::Critical; });

@@ -33,6 +33,9 @@ std::string toString(const Problem& problem);
 /// All problems, one a line.
 std::string toString(const Problems& problems);
 
+/// Appends those of `more` that are not there yet: the same mistake is often met on several ways.
+void appendNew(Problems& problems, const Problems& more);
+
 /// True when at least one problem is critical.
 bool hasCritical(const Problems& problems);
 

@@ -9,26 +9,18 @@
 namespace simcore::project {
 namespace {
 
-void append(Problems& problems, const Problems& more) {
-    for (const Problem& problem : more) {
-        if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
-            problems.push_back(problem);
-        }
-    }
-}
-
 void validateScenario(const Project& project, const Scenario& scenario, Problems& problems) {
     const auto parameters = evaluateParameters(project, scenario.variant);
     if (parameters) {
-        append(problems, evaluateScenario(scenario, *parameters).problems());
+        appendNew(problems, evaluateScenario(scenario, *parameters).problems());
         return;
     }
     for (const Problem& problem : parameters.problems()) {
         // The others are reported with the rover or the variant.
         if (problem.element == "variant " + scenario.variant) {
-            append(problems,
-                   {{problem.severity, "scenario " + scenario.name,
-                     fmt::format("there is no variant '{}'.", scenario.variant), problem.remedy}});
+            appendNew(problems, {{problem.severity, "scenario " + scenario.name,
+                                  fmt::format("there is no variant '{}'.", scenario.variant),
+                                  problem.remedy}});
         }
     }
 }
@@ -42,7 +34,7 @@ Result<ScenarioValues> evaluateScenario(const Scenario& scenario,
                             double low, double high) {
         const std::string element = "scenario " + scenario.name + ", " + what;
         const auto value = evaluate(quantity, parameters, element, dimension);
-        append(problems, value.problems());
+        appendNew(problems, value.problems());
         if (value && !(*value >= low && *value <= high)) {
             problems.push_back(
                 {Severity::Critical, element,
@@ -77,9 +69,9 @@ Result<ScenarioValues> evaluateScenario(const Scenario& scenario,
 Problems validate(const Project& project) {
     Problems problems;
     const auto parameters = evaluateParameters(project.rover);
-    append(problems, parameters.problems());
+    appendNew(problems, parameters.problems());
     if (parameters) {
-        append(problems, resolve(project.rover, *parameters).problems());
+        appendNew(problems, resolve(project.rover, *parameters).problems());
     }
     std::set<std::string> names;
     for (const Variant& variant : project.variants) {
@@ -90,13 +82,13 @@ Problems validate(const Project& project) {
         const auto values = evaluateParameters(project.rover, variant.set);
         Problems found = values.problems();
         if (values) {
-            append(found, resolve(project.rover, *values).problems());
+            appendNew(found, resolve(project.rover, *values).problems());
         }
         for (Problem problem : found) {
             // What is wrong without the variant is reported once.
             if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
                 problem.element = "variant " + variant.name + ", " + problem.element;
-                append(problems, {problem});
+                appendNew(problems, {problem});
             }
         }
     }

@@ -62,29 +62,20 @@ void checkStart(const ResolvedRun& run, Problems& problems) {
     }
 }
 
-/// Adds what is new: the project's own problems come up once for every scenario.
-void append(Problems& problems, const Problems& more) {
-    for (const Problem& problem : more) {
-        if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
-            problems.push_back(problem);
-        }
-    }
-}
-
 /// Everything but the terrain.
 std::optional<ResolvedRun> readRun(const project::Project& project,
                                    const project::Scenario& scenario,
                                    const project::ParameterValues& parameters, Problems& problems) {
     auto mechanism = project::resolve(project.rover, parameters);
     const auto values = project::evaluateScenario(scenario, parameters);
-    append(problems, mechanism.problems());
-    append(problems, values.problems());
+    appendNew(problems, mechanism.problems());
+    appendNew(problems, values.problems());
     if (!mechanism) {
         return std::nullopt;
     }
     ResolvedRun run;
     run.mechanism = std::move(mechanism).value();
-    append(problems, dynamics::whyOdeCannotRun(run.mechanism));
+    appendNew(problems, dynamics::whyOdeCannotRun(run.mechanism));
     if (!values || hasCritical(problems)) {
         return std::nullopt;
     }
@@ -119,7 +110,7 @@ Problems checkProject(const project::Project& project) {
         }
         Problems found;
         (void)readRun(project, scenario, *parameters, found);
-        append(found, terrain::whyNoTerrain(scenario.terrain, *parameters));
+        appendNew(found, terrain::whyNoTerrain(scenario.terrain, *parameters));
         for (Problem problem : found) {
             if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
                 problem.element = "scenario " + scenario.name + ", " + problem.element;
@@ -153,7 +144,7 @@ Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest
                             "it has no wheels to drive on.", "Add wheels."});
     }
     auto terrain = makeScenarioTerrain(scenario, *parameters);
-    append(problems, terrain.problems());
+    appendNew(problems, terrain.problems());
     if (!terrain) {
         return problems;
     }
