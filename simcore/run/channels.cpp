@@ -78,9 +78,10 @@ constexpr std::array kWheel{
     Column<WheelState>{"slip_ratio", "Slip ratio", "-",
                        "(wR - v) / max(abs(wR), abs(v), 0.01 m/s): positive when the wheel spins.",
                        [](const WheelState& w) { return w.slipRatio; }},
-    Column<WheelState>{"slip_lateral", "Slip (lateral)", "m",
-                       "Sum of the absolute motion of the wheel centre along the axle since counting began.",
-                       [](const WheelState& w) { return w.slipLateral; }},
+    Column<WheelState>{
+        "slip_lateral", "Slip (lateral)", "m",
+        "Sum of the absolute motion of the wheel centre along the axle since counting began.",
+        [](const WheelState& w) { return w.slipLateral; }},
     Column<WheelState>{"torque_commanded", "Torque (commanded)", "N*m",
                        "Motor torque the controller asked for, positive drives forward.",
                        [](const WheelState& w) { return w.torqueCommanded; }},

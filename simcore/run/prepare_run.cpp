@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -103,19 +103,27 @@ Problems checkProject(const project::Project& project) {
     if (hasCritical(problems)) {
         return problems;
     }
+    const auto addNamed = [&problems](const Problems& found, const std::string& where) {
+        for (Problem problem : found) {
+            if (!where.empty()) {
+                problem.element = where + ", " + problem.element;
+            }
+            appendNew(problems, {problem});
+        }
+    };
+    std::set<std::string> checked;
     for (const project::Scenario& scenario : project.scenarios) {
         const auto parameters = project::evaluateParameters(project, scenario.variant);
         if (!parameters) {
             continue;  // reported above
         }
-        Problems found;
-        (void)readRun(project, scenario, *parameters, found);
-        appendNew(found, terrain::whyNoTerrain(scenario.terrain, *parameters));
-        for (Problem problem : found) {
-            if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
-                problem.element = "scenario " + scenario.name + ", " + problem.element;
-                problems.push_back(problem);
-            }
+        addNamed(terrain::whyNoTerrain(scenario.terrain, *parameters), "scenario " + scenario.name);
+        if (!checked.insert(scenario.variant).second) {
+            continue;  // the same rover again
+        }
+        if (const auto mechanism = project::resolve(project.rover, *parameters)) {
+            addNamed(dynamics::whyOdeCannotRun(*mechanism),
+                     scenario.variant.empty() ? "" : "variant " + scenario.variant);
         }
     }
     return problems;
