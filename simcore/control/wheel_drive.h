@@ -8,7 +8,8 @@ namespace simcore::control {
 /// engine's step.
 ///
 /// Its PI loop is semi-implicit: it anticipates how the free wheel's own inertia answers within the
-/// step, so that a lifted wheel does not oscillate at any step length.
+/// loop's own time, or within a longer step. So a lifted wheel does not oscillate at any step, and
+/// a wheel is driven equally stiffly at all usual ones.
 class WheelDrive {
   public:
     /// @param inertia  of the wheel and the reflected rotor about the axle [kg m^2]

@@ -148,6 +148,17 @@ class Merger {
     std::vector<int> parent_;
 };
 
+void addMass(mechanism::Body& body, const MassProperties& more) {
+    const MassProperties sum = mechanism::merged({body.mass, body.com, body.inertia}, more);
+    body.mass = sum.mass;
+    body.com = sum.com;
+    body.inertia = sum.inertia;
+}
+
+bool isPin(const mechanism::Joint& joint) {
+    return joint.built.size() == 1 && joint.built[0].kind == mechanism::FreedomKind::Turn;
+}
+
 class Resolver {
   public:
     Resolver(const Rover& rover, const ParameterValues& parameters)
@@ -470,11 +481,7 @@ void Resolver::mergeParts(const std::vector<std::pair<int, int>>& jointParts,
         }
         bodyOfPart_[i] = bodyOfPart_[root];
         mechanism::Body& body = mechanism_.bodies[static_cast<std::size_t>(bodyOfPart_[i])];
-        const MassProperties sum =
-            mechanism::merged({body.mass, body.com, body.inertia}, part.mass);
-        body.mass = sum.mass;
-        body.com = sum.com;
-        body.inertia = sum.inertia;
+        addMass(body, part.mass);
         body.parts.push_back(part.name);
         body.shapes.insert(body.shapes.end(), part.shapes.begin(), part.shapes.end());
     }
@@ -512,9 +519,7 @@ void Resolver::readWheels() {
             value_.critical(element, "its axle is locked or has no freedom.", "Unlock the axle.");
         } else if (out.axle >= 0 && out.body >= 0) {
             const mechanism::Joint& axle = mechanism_.joints[static_cast<std::size_t>(out.axle)];
-            const bool pin =
-                axle.built.size() == 1 && axle.built[0].kind == mechanism::FreedomKind::Turn;
-            if (!pin || (axle.first != out.body && axle.second != out.body)) {
+            if (!isPin(axle) || (axle.first != out.body && axle.second != out.body)) {
                 value_.critical(element, fmt::format("'{}' is not a pin of its body.", axle.name),
                                 "Name the pin joint between the wheel's body and its carrier.");
             }
@@ -564,11 +569,7 @@ void Resolver::finishBodies() {
         }
     }
     for (const auto& [part, load] : payloads_) {
-        mechanism::Body& body = mechanism_.bodies[static_cast<std::size_t>(bodyOfPart(part))];
-        const MassProperties sum = mechanism::merged({body.mass, body.com, body.inertia}, load);
-        body.mass = sum.mass;
-        body.com = sum.com;
-        body.inertia = sum.inertia;
+        addMass(mechanism_.bodies[static_cast<std::size_t>(bodyOfPart(part))], load);
     }
     for (const mechanism::Body& body : mechanism_.bodies) {
         const std::string element = "body " + body.name;
@@ -629,11 +630,8 @@ void Resolver::readGears() {
         out.secondJoint = findJoint(gear.secondJoint, Side::Center, element);
         out.ratio = value_(gear.ratio, element, "ratio", "ratio");
         for (const int joint : {out.firstJoint, out.secondJoint}) {
-            const auto isPin = [&] {
-                const auto& built = mechanism_.joints[static_cast<std::size_t>(joint)].built;
-                return built.size() == 1 && built[0].kind == mechanism::FreedomKind::Turn;
-            };
-            if (joint >= 0 && (joint >= kLocked || !isPin())) {
+            if (joint >= 0 &&
+                (joint >= kLocked || !isPin(mechanism_.joints[static_cast<std::size_t>(joint)]))) {
                 value_.critical(element, "it does not connect two pins.", "Name two pin joints.");
             }
         }

@@ -27,45 +27,6 @@ void validateScenario(const Project& project, const Scenario& scenario, Problems
 
 }  // namespace
 
-Result<ScenarioValues> evaluateScenario(const Scenario& scenario,
-                                        const ParameterValues& parameters) {
-    Problems problems;
-    const auto number = [&](const Quantity& quantity, const char* what, const char* dimension,
-                            double low, double high) {
-        const std::string element = "scenario " + scenario.name + ", " + what;
-        const auto value = evaluate(quantity, parameters, element, dimension);
-        appendNew(problems, value.problems());
-        if (value && !(*value >= low && *value <= high)) {
-            problems.push_back(
-                {Severity::Critical, element,
-                 fmt::format("{:.6g} is not between {:.6g} and {:.6g}.", *value, low, high),
-                 "Correct it; values are in SI unless a unit is written."});
-        }
-        return value ? *value : low;
-    };
-    const Soil& soil = scenario.soil;
-    const Controller& controller = scenario.controller;
-    const RunSettings& run = scenario.run;
-    ScenarioValues v;
-    v.friction = number(soil.friction, "friction", "ratio", 0.0, 5.0);
-    v.rollingResistance = number(soil.rollingResistance, "rolling resistance", "ratio", 0.0, 1.0);
-    v.speed = number(controller.speed, "speed", "speed", -10.0, 10.0);
-    v.assumedFriction = number(controller.assumedFriction, "assumed friction", "ratio", 0.0, 5.0);
-    v.controlPeriod = number(controller.period, "controller period", "time", 1e-4, 1.0);
-    v.proportional = number(controller.proportional, "proportional gain", "", 0.0, 1e6);
-    v.integral = number(controller.integral, "integral gain", "", 0.0, 1e6);
-    v.derivative = number(controller.derivative, "derivative gain", "", 0.0, 1e6);
-    v.step = number(run.step, "step", "time", 1e-5, 0.02);
-    v.distance = number(run.distance, "distance", "length", 0.01, 1000.0);
-    v.duration = number(run.duration, "duration", "time", 0.0, 1e5);
-    v.settle = number(run.settle, "settling time", "time", 0.0, 60.0);
-    v.ramp = number(run.ramp, "ramp time", "time", 0.0, 60.0);
-    if (hasCritical(problems)) {
-        return problems;
-    }
-    return Result<ScenarioValues>(v, std::move(problems));
-}
-
 Problems validate(const Project& project) {
     Problems problems;
     const auto parameters = evaluateParameters(project.rover);
