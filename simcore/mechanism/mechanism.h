@@ -36,6 +36,7 @@ struct Body {
     Vec3 com = Vec3::Zero();         ///< [m]
     Mat3 inertia = Mat3::Zero();     ///< about com, rover axes [kg m^2]
     std::vector<Shape> shapes;
+    bool fixed = false;  ///< held in the world at its drawn pose
 };
 
 enum class FreedomKind { Turn, Slide };

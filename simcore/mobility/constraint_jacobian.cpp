@@ -14,7 +14,12 @@ class Assembler {
   public:
     explicit Assembler(const Mechanism& mechanism)
         : mechanism_(mechanism),
-          length_(mechanism.wheelbase()) {}
+          length_(mechanism.wheelbase()) {
+        for (const mechanism::Body& body : mechanism.bodies) {
+            firstColumn_.push_back(body.fixed ? -1 : columns_);
+            columns_ += body.fixed ? 0 : 6;
+        }
+    }
 
     void addJoint(int index, Model model) {
         const mechanism::Joint& joint = mechanism_.joints[static_cast<std::size_t>(index)];
@@ -59,12 +64,12 @@ class Assembler {
 
     ConstraintJacobian finish() {
         ConstraintJacobian jacobian;
-        jacobian.matrix.setZero(static_cast<Eigen::Index>(names_.size()),
-                                6 * static_cast<Eigen::Index>(mechanism_.bodies.size()));
+        jacobian.matrix.setZero(static_cast<Eigen::Index>(names_.size()), columns_);
         for (const Entry& entry : entries_) {
-            jacobian.matrix.block<1, 3>(entry.row, 6 * entry.body) += entry.linear.transpose();
-            jacobian.matrix.block<1, 3>(entry.row, 6 * entry.body + 3) += entry.angular.transpose();
+            jacobian.matrix.block<1, 3>(entry.row, entry.column) += entry.linear.transpose();
+            jacobian.matrix.block<1, 3>(entry.row, entry.column + 3) += entry.angular.transpose();
         }
+        jacobian.firstColumn = std::move(firstColumn_);
         jacobian.names = std::move(names_);
         jacobian.priorities = std::move(priorities_);
         return jacobian;
@@ -73,7 +78,7 @@ class Assembler {
   private:
     struct Entry {
         Eigen::Index row;
-        int body;
+        int column;
         Vec3 linear;
         Vec3 angular;
     };
@@ -94,9 +99,10 @@ class Assembler {
     }
 
     void addEntry(int body, const Vec3& linear, const Vec3& angular) {
-        if (body >= 0) {
+        const int column = body < 0 ? -1 : firstColumn_[static_cast<std::size_t>(body)];
+        if (column >= 0) {
             entries_.push_back(
-                {static_cast<Eigen::Index>(names_.size()) - 1, body, linear, angular});
+                {static_cast<Eigen::Index>(names_.size()) - 1, column, linear, angular});
         }
     }
 
@@ -114,6 +120,8 @@ class Assembler {
 
     const Mechanism& mechanism_;
     double length_;
+    int columns_ = 0;
+    std::vector<int> firstColumn_;
     std::vector<ConstraintName> names_;
     std::vector<Priority> priorities_;
     std::vector<Entry> entries_;

@@ -15,13 +15,14 @@ enum class Priority { ContactNormal, ContactRolling, Gear, JointSlide, JointTurn
 
 /// Velocity constraints J v = 0 of the mechanism on flat ground at its drawn pose.
 ///
-/// Six columns a body: velocity of the rover frame's origin on that body over the wheelbase L
-/// [1/s], then its angular velocity [rad/s]. Rows that hold a translation are divided by L, so that
-/// all entries are comparable.
+/// Six columns a body that is not fixed: velocity of the rover frame's origin on that body over the
+/// wheelbase L [1/s], then its angular velocity [rad/s]. Rows that hold a translation are divided
+/// by L, so that all entries are comparable.
 struct ConstraintJacobian {
     Eigen::MatrixXd matrix;             ///< rows x columns
     std::vector<ConstraintName> names;  ///< per row
     std::vector<Priority> priorities;   ///< per row
+    std::vector<int> firstColumn;       ///< per body; -1 for one that is fixed
 };
 
 ConstraintJacobian constraintJacobian(const mechanism::Mechanism& mechanism, Model model);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include <fmt/format.h>
 #include <Eigen/QR>
@@ -100,42 +101,97 @@ std::vector<std::size_t> chooseRedundantSet(const MatrixXd& selfStress,
     return chosen;
 }
 
-std::vector<IdleFreedom> findIdle(const mechanism::Mechanism& mechanism, const MatrixXd& motions) {
-    if (motions.cols() == 0) {
-        return {};
-    }
-    std::vector<int> watched{mechanism.chassis};
-    for (const mechanism::Wheel& wheel : mechanism.wheels) {
-        watched.push_back(wheel.body);
-    }
+/// The motion of one body in a free motion of the whole.
+IdleFreedom idleOf(const std::string& body, const Eigen::Matrix<double, 6, 1>& motion) {
+    return {body, motion.tail<3>(), motion.head<3>()};
+}
+
+/// Free motions in which every body of `watched` stands still.
+MatrixXd hiddenFrom(const std::vector<int>& watched, const ConstraintJacobian& jacobian,
+                    const MatrixXd& motions) {
     MatrixXd visible(6 * static_cast<Index>(watched.size()), motions.cols());
-    for (std::size_t i = 0; i < watched.size(); ++i) {
-        visible.middleRows(6 * static_cast<Index>(i), 6) = motions.middleRows(6 * watched[i], 6);
+    Index row = 0;
+    for (const int body : watched) {
+        const int column = jacobian.firstColumn[static_cast<std::size_t>(body)];
+        if (column >= 0) {
+            visible.middleRows(row, 6) = motions.middleRows(column, 6);
+            row += 6;
+        }
+    }
+    visible.conservativeResize(row, Eigen::NoChange);
+    if (row == 0) {
+        return motions;
     }
     Eigen::ColPivHouseholderQR<MatrixXd> qr(visible.transpose());
     qr.setThreshold(kNoMotion);
-    // The free motions that those bodies do not see.
-    const Index idle = motions.cols() - qr.rank();
-    MatrixXd combination = MatrixXd::Zero(motions.cols(), idle);
-    combination.bottomRows(idle).setIdentity();
+    const Index hidden = motions.cols() - qr.rank();
+    MatrixXd combination = MatrixXd::Zero(motions.cols(), hidden);
+    combination.bottomRows(hidden).setIdentity();
     combination.applyOnTheLeft(qr.householderQ());
-    const MatrixXd hidden = motions * combination;
+    return motions * combination;
+}
+
+/// The body that moves most, for every motion.
+std::vector<IdleFreedom> nameByBody(const mechanism::Mechanism& mechanism,
+                                    const ConstraintJacobian& jacobian, const MatrixXd& motions) {
     std::vector<IdleFreedom> found;
-    for (Index k = 0; k < idle; ++k) {
+    for (Index k = 0; k < motions.cols(); ++k) {
         std::size_t most = 0;
-        double largest = -1.0;
+        double largest = 0.0;
         for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-            const double size = hidden.col(k).segment<6>(6 * static_cast<Index>(b)).norm();
+            const int column = jacobian.firstColumn[b];
+            const double size = column < 0 ? 0.0 : motions.col(k).segment<6>(column).norm();
             if (size > largest + 1e-12) {
                 largest = size;
                 most = b;
             }
         }
-        const Eigen::Matrix<double, 6, 1> v =
-            hidden.col(k).segment<6>(6 * static_cast<Index>(most)) / largest;
-        found.push_back({mechanism.bodies[most].name, v.tail<3>(), v.head<3>()});
+        const int column = jacobian.firstColumn[most];
+        found.push_back(
+            idleOf(mechanism.bodies[most].name, motions.col(k).segment<6>(column) / largest));
     }
     return found;
+}
+
+/// Free motions of one body between two or more others that all stand still.
+std::vector<IdleFreedom> findIdleBetween(const mechanism::Mechanism& mechanism,
+                                         const ConstraintJacobian& jacobian) {
+    std::vector<IdleFreedom> found;
+    for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+        std::set<int> neighbours;  // -1 is the world
+        for (const mechanism::Joint& joint : mechanism.joints) {
+            const int body = static_cast<int>(b);
+            if (joint.first == body || joint.second == body) {
+                const int other = joint.first == body ? joint.second : joint.first;
+                const bool fixed = mechanism.bodies[static_cast<std::size_t>(other)].fixed;
+                neighbours.insert(fixed ? -1 : other);
+            }
+        }
+        const int column = jacobian.firstColumn[b];
+        if (column < 0 || neighbours.size() < 2) {
+            continue;
+        }
+        const Factorisation alone(jacobian.matrix.middleCols(column, 6));
+        for (Index k = 0; k < alone.motions.cols(); ++k) {
+            found.push_back(idleOf(mechanism.bodies[b].name, alone.motions.col(k)));
+        }
+    }
+    return found;
+}
+
+std::vector<IdleFreedom> findIdle(const mechanism::Mechanism& mechanism,
+                                  const ConstraintJacobian& jacobian, const MatrixXd& motions) {
+    if (motions.cols() == 0) {
+        return {};
+    }
+    if (mechanism.wheels.empty()) {  // nothing says which body does the work
+        return findIdleBetween(mechanism, jacobian);
+    }
+    std::vector<int> watched{mechanism.chassis};
+    for (const mechanism::Wheel& wheel : mechanism.wheels) {
+        watched.push_back(wheel.body);
+    }
+    return nameByBody(mechanism, jacobian, hiddenFrom(watched, jacobian, motions));
 }
 
 void countJoints(const mechanism::Mechanism& mechanism, Model model, Report& report) {
@@ -163,9 +219,9 @@ Report analyse(const mechanism::Mechanism& mechanism, Model model) {
     const Factorisation factors(jacobian.matrix);
     Report report;
     report.model = model;
-    report.bodies = static_cast<int>(mechanism.bodies.size());
     countJoints(mechanism, model, report);
     report.columns = static_cast<int>(jacobian.matrix.cols());
+    report.bodies = report.columns / 6;
     report.rows = static_cast<int>(jacobian.matrix.rows());
     report.gruebler = report.columns - report.rows;
     report.rank = static_cast<int>(factors.rank);
@@ -185,7 +241,7 @@ Report analyse(const mechanism::Mechanism& mechanism, Model model) {
     for (const std::size_t row : chooseRedundantSet(factors.selfStress, jacobian.priorities)) {
         report.redundantSet.push_back(named[row]);
     }
-    report.idle = findIdle(mechanism, factors.motions);
+    report.idle = findIdle(mechanism, jacobian, factors.motions);
     return report;
 }
 

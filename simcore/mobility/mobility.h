@@ -23,7 +23,8 @@ struct ConstraintName {
     double share = 0.0;
 };
 
-/// A free motion that moves neither chassis nor wheels.
+/// A free motion that moves neither chassis nor wheels. In a mechanism without wheels: one of a
+/// single body between two or more others.
 struct IdleFreedom {
     std::string body;          ///< the body that moves most
     Vec3 turn = Vec3::Zero();  ///< its angular velocity direction, rover axes
@@ -34,7 +35,7 @@ struct IdleFreedom {
 /// redundant = rows - rank.
 struct Report {
     Model model = Model::Built;
-    int bodies = 0;
+    int bodies = 0;                        ///< that are not fixed
     int joints = 0;                        ///< contacts and gears included
     std::array<int, 5> jointsByFreedom{};  ///< f1..f5 of paper eq. 1
     int gruebler = 0;

@@ -35,6 +35,7 @@ template <class V>
 void describe(V& v, const Body*) {
     v.required("name", &Body::name);
     v.optional("mirror", &Body::mirror);
+    v.optional("fixed", &Body::fixed);
     v.required("mass", &Body::mass);
     v.required("com", &Body::com);
     v.optional("inertia", &Body::inertia);

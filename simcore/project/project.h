@@ -49,8 +49,9 @@ struct Shape {
 struct Body {
     std::string name;
     bool mirror = false;
-    Quantity mass;    ///< [kg]
-    Quantity3 com{};  ///< centre of mass [m]
+    bool fixed = false;  ///< held in the world: a frame, a test stand
+    Quantity mass;       ///< [kg]
+    Quantity3 com{};     ///< centre of mass [m]
     /// Ixx Iyy Izz Ixy Ixz Iyz about the centre of mass, rover axes [kg m^2]; products of inertia
     /// with the sign of the matrix entry. Absent: that of the shapes as solids.
     std::optional<std::array<Quantity, 6>> inertia;

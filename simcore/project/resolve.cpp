@@ -121,6 +121,7 @@ struct Part {
     MassProperties mass;
     std::vector<mechanism::Shape> shapes;
     bool inertiaGiven = false;
+    bool fixed = false;
 };
 
 /// Disjoint sets of part indices.
@@ -230,6 +231,10 @@ class Resolver {
         return part < 0 ? -1 : bodyOfPart_[static_cast<std::size_t>(part)];
     }
 
+    bool isFixed(int body) const {
+        return body >= 0 && mechanism_.bodies[static_cast<std::size_t>(body)].fixed;
+    }
+
     const Rover& rover_;
     Problems problems_;
     Valuer value_;
@@ -287,6 +292,7 @@ void Resolver::readParts() {
         const std::string element = "body " + copy.name;
         Part part;
         part.name = copy.name;
+        part.fixed = body.fixed;
         part.mass.mass = value_.positive(body.mass, element, "mass", "mass");
         part.mass.com = mirroredPoint(value_(body.com, element, "com"), copy.side);
         for (const Shape& shape : body.shapes) {
@@ -452,6 +458,10 @@ void Resolver::readJoints() {
                 jointParts[i].first != jointParts[i].second) {
                 value_.critical("joint " + out.name, "it joins two parts that are welded together.",
                                 "Remove the joint, or unlock the other one.");
+            } else if (isFixed(out.first) && isFixed(out.second) && out.first != out.second) {
+                value_.critical("joint " + out.name,
+                                "both its bodies are fixed: it has nothing to hold.",
+                                "Remove the joint, or let one of the bodies go.");
             }
         }
     }
@@ -476,12 +486,14 @@ void Resolver::mergeParts(const std::vector<std::pair<int, int>>& jointParts,
                                          part.mass.mass,
                                          part.mass.com,
                                          part.mass.inertia,
-                                         part.shapes});
+                                         part.shapes,
+                                         part.fixed});
             continue;
         }
         bodyOfPart_[i] = bodyOfPart_[root];
         mechanism::Body& body = mechanism_.bodies[static_cast<std::size_t>(bodyOfPart_[i])];
         addMass(body, part.mass);
+        body.fixed = body.fixed || part.fixed;
         body.parts.push_back(part.name);
         body.shapes.insert(body.shapes.end(), part.shapes.begin(), part.shapes.end());
     }
@@ -538,6 +550,10 @@ void Resolver::readWheels() {
                                 "Give each wheel its own body.");
             }
             owner = static_cast<int>(mechanism_.wheels.size());
+            if (body.fixed) {
+                value_.critical(element, fmt::format("body '{}' is fixed.", body.name),
+                                "Let the wheel go; fix the chassis for a test stand.");
+            }
             if (body.inertia.isZero()) {
                 body.inertia =
                     mechanism::inertiaOfCylinder(body.mass, out.radius, out.width, out.axis);
@@ -652,6 +668,13 @@ void Resolver::checkConnected() {
     Merger merger(mechanism_.bodies.size());
     for (const mechanism::Joint& joint : mechanism_.joints) {
         merger.merge(joint.first, joint.second);
+    }
+    int world = -1;  // all fixed bodies are connected through it
+    for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
+        if (mechanism_.bodies[i].fixed) {
+            world = world < 0 ? static_cast<int>(i) : world;
+            merger.merge(world, static_cast<int>(i));
+        }
     }
     for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
         if (merger.root(static_cast<int>(i)) != merger.root(mechanism_.chassis)) {

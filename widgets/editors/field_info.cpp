@@ -24,6 +24,8 @@ constexpr std::array kEntries{
           QT_TRANSLATE_NOOP("fields",
                             "In the rover frame: x forward, y left, z up from the "
                             "ground")},
+    Entry{"body", "fixed", QT_TRANSLATE_NOOP("fields", "Fixed"), "",
+          QT_TRANSLATE_NOOP("fields", "Held in the world: a frame, or a test stand")},
     Entry{"body", "inertia", QT_TRANSLATE_NOOP("fields", "Inertia"), "kg*m^2",
           QT_TRANSLATE_NOOP("fields", "Ixx Iyy Izz Ixy Ixz Iyz about the centre of mass")},
     Entry{"joint", "first", QT_TRANSLATE_NOOP("fields", "First body"), "",

@@ -85,7 +85,10 @@ TEST(LinkagesTest, DoorOnTwoAlignedHingesHasFiveRedundantConstraints) {
 }
 
 TEST(LinkagesTest, PlanarFourBarMovesAgainstTheCount) {
-    expectCounts(makeFourBar(), -2 + kFloating, 1 + kFloating, 3);
+    Mechanism linkage = makeFourBar();
+    expectCounts(linkage, -2 + kFloating, 1 + kFloating, 3);
+    linkage.bodies[0].fixed = true;
+    expectCounts(linkage, -2, 1, 3);
 }
 
 TEST(LinkagesTest, FourBarWithOneBallAndOneCylinderIsExact) {
@@ -157,6 +160,12 @@ TEST(LinkagesTest, LinkBetweenTwoBallsSpinsIdly) {
     EXPECT_EQ(report.idle[0].body, "rod");
     const Vec3 line = (to - from).normalized();
     EXPECT_NEAR(std::abs(report.idle[0].turn.normalized().dot(line)), 1.0, 1e-9);
+    mechanism.bodies[0].fixed = true;
+    const auto held = analyse(mechanism, Model::Built);
+    EXPECT_EQ(held.bodies, 2);
+    EXPECT_EQ(held.mobility, 1);
+    ASSERT_EQ(held.idle.size(), 1U);
+    EXPECT_EQ(held.idle[0].body, "rod");
 }
 
 TEST(LinkagesTest, VerdictNamesTheStrainAndDistrustsTheCount) {

@@ -137,6 +137,23 @@ std::vector<Mistake> mistakes() {
              p.rover.bodies.push_back(lost);
          },
          "body lost", "no joint connects it"},
+        {"FixedWheel", [](Project& p) { p.rover.bodies[1].fixed = true; }, "wheel wheel_left",
+         "body 'wheel_left' is fixed"},
+        {"JointBetweenFixedBodies",
+         [](Project& p) {
+             Body stand;
+             stand.name = "stand";
+             stand.mass = 1.0;
+             stand.fixed = true;
+             p.rover.bodies.push_back(stand);
+             p.rover.bodies[0].fixed = true;
+             Joint hinge;
+             hinge.name = "hinge";
+             hinge.first = "stand";
+             hinge.second = "chassis";
+             p.rover.joints.push_back(hinge);
+         },
+         "joint hinge", "both its bodies are fixed"},
         {"UnknownVariant", [](Project& p) { p.scenarios[0].variant = "small"; }, "scenario step",
          "no variant 'small'"},
         {"VariantSetsUnknownParameter",
@@ -193,6 +210,32 @@ INSTANTIATE_TEST_SUITE_P(All, MistakeTest, testing::ValuesIn(mistakes()),
 
 TEST(ValidateTest, GoodProjectHasNoProblems) {
     EXPECT_THAT(validate(cart()), IsEmpty()) << toString(validate(cart()));
+}
+
+// A test stand, and what is welded to it.
+TEST(ValidateTest, ChassisOfARoverMayBeFixed) {
+    Project project = cart();
+    Body stand;
+    stand.name = "stand";
+    stand.mass = 20.0;
+    stand.fixed = true;
+    stand.inertia = {{1.0, 1.0, 1.0, 0.0, 0.0, 0.0}};
+    project.rover.bodies.push_back(stand);
+    Joint clamp;
+    clamp.name = "clamp";
+    clamp.first = "chassis";
+    clamp.second = "stand";
+    clamp.locked = true;
+    project.rover.joints.push_back(clamp);
+    EXPECT_THAT(validate(project), IsEmpty()) << toString(validate(project));
+    const auto mechanism = resolve(project);
+    ASSERT_TRUE(mechanism);
+    EXPECT_TRUE(mechanism->bodies[0].fixed);
+    EXPECT_FALSE(mechanism->bodies[1].fixed);
+    // Two stands are joined by the world.
+    project.rover.joints.pop_back();
+    project.rover.bodies[0].fixed = true;
+    EXPECT_THAT(validate(project), IsEmpty()) << toString(validate(project));
 }
 
 TEST(ValidateTest, UnknownDisplayUnitIsAWarning) {
