@@ -75,7 +75,7 @@ class Progress {
 run::Recording drive(run::Simulation& simulation) {
     run::Recording recording;
     recording.channels = run::makeChannels(simulation.settings().mechanism);
-    run::Sampler sampler(simulation.settings().mechanism.chassis);
+    run::Sampler sampler(simulation.settings().mechanism);
     sampler.start(simulation.snapshot());
     Progress progress;
     while (!simulation.finished()) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -24,5 +26,23 @@ struct Pose {
         return {inverseRotation, -(inverseRotation * position)};
     }
 };
+
+// Roll, pitch and yaw [rad] of R = Rz(yaw) Ry(pitch) Rx(roll): positive with the right side down,
+// nose down, and to the left.
+
+inline double roll(const Pose& pose) {
+    const Mat3 R = pose.rotation.toRotationMatrix();
+    return std::atan2(R(2, 1), R(2, 2));
+}
+
+inline double pitch(const Pose& pose) {
+    const Mat3 R = pose.rotation.toRotationMatrix();
+    return std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
+}
+
+inline double yaw(const Pose& pose) {
+    const Mat3 R = pose.rotation.toRotationMatrix();
+    return std::atan2(R(1, 0), R(0, 0));
+}
 
 }  // namespace simcore

@@ -5,25 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "simcore/control/sensors.h"
 #include "simcore/mechanism/mechanism.h"
 #include "simcore/project/project.h"
 
 /// Controllers: sensors in, a command per wheel out, at a fixed period. None of them knows the
 /// ground's friction; caps use the controller's own assumed value.
 namespace simcore::control {
-
-/// What a controller may know about one wheel.
-struct WheelSensors {
-    double rate = 0.0;          ///< encoder: wheel against its carrier [rad/s], + forward
-    double normalForce = 0.0;   ///< tactile [N]
-    double contactAngle = 0.0;  ///< tactile [rad]
-};
-
-struct Sensors {
-    double bodySpeed = 0.0;  ///< chassis origin along the chassis' forward axis [m/s]
-    double yawRate = 0.0;    ///< IMU [rad/s], + left
-    std::vector<WheelSensors> wheels;
-};
 
 /// What is asked of the rover now.
 struct DriveCommand {

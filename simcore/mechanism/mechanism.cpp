@@ -1,6 +1,7 @@
 #include "simcore/mechanism/mechanism.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace simcore::mechanism {
@@ -48,6 +49,24 @@ double Mechanism::wheelbase() const {
     }
     // Two wheels side by side have no wheelbase to scale by.
     return front - rear > 1e-6 ? front - rear : 1.0;
+}
+
+std::vector<int> Mechanism::encoderJoints() const {
+    std::vector<int> found;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        const bool axle = std::any_of(wheels.begin(), wheels.end(), [i](const Wheel& wheel) {
+            return wheel.axle == static_cast<int>(i);
+        });
+        const bool turns = std::any_of(
+            joints[i].built.begin(), joints[i].built.end(), [&](const Freedom& freedom) {
+                return freedom.kind == FreedomKind::Turn &&
+                       std::abs(freedom.direction.dot(joints[i].axis)) > 1.0 - 1e-9;
+            });
+        if (turns && !axle) {
+            found.push_back(static_cast<int>(i));
+        }
+    }
+    return found;
 }
 
 int Mechanism::findBody(const std::string& partName) const {

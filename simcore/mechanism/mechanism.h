@@ -113,6 +113,8 @@ struct Mechanism {
     /// Distance between the foremost and the rearmost wheel centre [m]: the length that makes
     /// translations and rotations comparable. 1 m when there are fewer than two wheels.
     double wheelbase() const;
+    /// Joints that turn about their axis and are no wheel's axle: where a rover has encoders.
+    std::vector<int> encoderJoints() const;
     /// Index of the named body (by any of its part names), joint or wheel; -1 when there is none.
     int findBody(const std::string& partName) const;
     int findJoint(const std::string& jointName) const;

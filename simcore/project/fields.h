@@ -165,6 +165,26 @@ void describe(V& v, const Controller*) {
 }
 
 template <class V>
+void describe(V& v, const SensorError*) {
+    v.optional("noise", &SensorError::noise);
+    v.optional("bias", &SensorError::bias);
+    v.optional("delay", &SensorError::delay);
+    v.optional("resolution", &SensorError::resolution);
+}
+
+template <class V>
+void describe(V& v, const Sensors*) {
+    v.optional("joint_encoder", &Sensors::jointEncoder);
+    v.optional("wheel_rate", &Sensors::wheelRate);
+    v.optional("orientation", &Sensors::orientation);
+    v.optional("angular_rate", &Sensors::angularRate);
+    v.optional("acceleration", &Sensors::acceleration);
+    v.optional("tactile_force", &Sensors::tactileForce);
+    v.optional("tactile_angle", &Sensors::tactileAngle);
+    v.optional("body_speed", &Sensors::bodySpeed);
+}
+
+template <class V>
 void describe(V& v, const RunSettings*) {
     v.optional("step", &RunSettings::step);
     v.optional("distance", &RunSettings::distance);
@@ -182,6 +202,7 @@ void describe(V& v, const Scenario*) {
     v.required("terrain", &Scenario::terrain);
     v.optional("soil", &Scenario::soil);
     v.optional("controller", &Scenario::controller);
+    v.optional("sensors", &Scenario::sensors);
     v.optional("run", &Scenario::run);
 }
 

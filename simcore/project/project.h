@@ -199,13 +199,35 @@ struct Controller {
     bool operator==(const Controller&) const = default;
 };
 
+/// How far a kind of sensor is from the truth, in the SI unit of what it measures. All zero: ideal.
+struct SensorError {
+    Quantity noise;       ///< standard deviation of one reading
+    Quantity bias;        ///< added to every reading
+    Quantity delay;       ///< age of what is reported [s]
+    Quantity resolution;  ///< readings are whole multiples of it; 0 = continuous
+    bool operator==(const SensorError&) const = default;
+};
+
+/// The sensors a controller reads; docs/sensors.md says what each measures.
+struct Sensors {
+    SensorError jointEncoder;  ///< [rad]
+    SensorError wheelRate;     ///< [rad/s]
+    SensorError orientation;   ///< roll and pitch [rad]
+    SensorError angularRate;   ///< [rad/s]
+    SensorError acceleration;  ///< [m/s^2]
+    SensorError tactileForce;  ///< [N]
+    SensorError tactileAngle;  ///< [rad]
+    SensorError bodySpeed;     ///< [m/s]
+    bool operator==(const Sensors&) const = default;
+};
+
 struct RunSettings {
     Quantity step{0.002};    ///< engine step [s]
     Quantity distance{3.5};  ///< chassis travel that completes the run [m]
     Quantity duration{0.0};  ///< simulated time that ends it [s]; 0 = 2 + 1.6 distance/speed
     Quantity settle{0.5};    ///< at rest first [s]
     Quantity ramp{0.5};      ///< then the command rises [s]
-    int seed = 1;
+    int seed = 1;            ///< of the sensors' noise
     bool operator==(const RunSettings&) const = default;
 };
 
@@ -216,6 +238,7 @@ struct Scenario {
     Terrain terrain;
     Soil soil;
     Controller controller;
+    Sensors sensors;
     RunSettings run;
     bool operator==(const Scenario&) const = default;
 };

@@ -45,12 +45,23 @@ Result<mechanism::Mechanism> resolve(const Rover& rover, const ParameterValues& 
 Result<mechanism::Mechanism> resolve(const Project& project, const std::string& variant = {},
                                      const std::vector<Assignment>& assignments = {});
 
+/// A SensorError with numbers [SI].
+struct SensorErrorValues {
+    double noise = 0.0, bias = 0.0, delay = 0.0, resolution = 0.0;
+};
+
+struct SensorValues {
+    SensorErrorValues jointEncoder, wheelRate, orientation, angularRate, acceleration, tactileForce,
+        tactileAngle, bodySpeed;
+};
+
 /// The numbers of a scenario [SI].
 struct ScenarioValues {
     double speed = 0.1, assumedFriction = 0.5, controlPeriod = 0.01;
     double proportional = 0.0, integral = 0.0, derivative = 0.0;  ///< 0 = derived
     double friction = 0.7, rollingResistance = 0.0;
     double step = 0.002, distance = 3.5, duration = 0.0, settle = 0.5, ramp = 0.5;
+    SensorValues sensors;
 };
 
 /// Values a scenario's numbers and checks them against ranges that can be run, wide enough to catch

@@ -38,6 +38,27 @@ Result<ScenarioValues> evaluateScenario(const Scenario& scenario,
     v.duration = number(run.duration, "duration", "time", 0.0, 1e5);
     v.settle = number(run.settle, "settling time", "time", 0.0, 60.0);
     v.ramp = number(run.ramp, "ramp time", "time", 0.0, 60.0);
+    const auto errors = [&](const SensorError& error, const std::string& sensor,
+                            const char* dimension) {
+        // Wide enough for any sensor; a delay of seconds would be a mistake.
+        constexpr double kMost = 1e6;
+        const auto name = [&](const char* what) { return sensor + " " + what; };
+        SensorErrorValues e;
+        e.noise = number(error.noise, name("noise").c_str(), dimension, 0.0, kMost);
+        e.bias = number(error.bias, name("bias").c_str(), dimension, -kMost, kMost);
+        e.delay = number(error.delay, name("delay").c_str(), "time", 0.0, 2.0);
+        e.resolution = number(error.resolution, name("resolution").c_str(), dimension, 0.0, kMost);
+        return e;
+    };
+    const Sensors& sensors = scenario.sensors;
+    v.sensors.jointEncoder = errors(sensors.jointEncoder, "joint encoder", "angle");
+    v.sensors.wheelRate = errors(sensors.wheelRate, "wheel rate", "angular speed");
+    v.sensors.orientation = errors(sensors.orientation, "orientation", "angle");
+    v.sensors.angularRate = errors(sensors.angularRate, "angular rate", "angular speed");
+    v.sensors.acceleration = errors(sensors.acceleration, "acceleration", "acceleration");
+    v.sensors.tactileForce = errors(sensors.tactileForce, "tactile force", "force");
+    v.sensors.tactileAngle = errors(sensors.tactileAngle, "tactile angle", "angle");
+    v.sensors.bodySpeed = errors(sensors.bodySpeed, "body speed", "speed");
     if (hasCritical(problems)) {
         return problems;
     }

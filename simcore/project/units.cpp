@@ -40,6 +40,7 @@ constexpr std::array kUnits{
     Unit{"cm/s", "speed", 0.01},
     Unit{"mm/s", "speed", 0.001},
     Unit{"km/h", "speed", 1.0 / 3.6},
+    Unit{"m/s^2", "acceleration", 1.0},
     Unit{"rad/s", "angular speed", 1.0},
     Unit{"deg/s", "angular speed", kDegree},
     Unit{"rpm", "angular speed", std::numbers::pi / 30.0},

@@ -2,18 +2,25 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace simcore::run {
 namespace {
 
-/// A chassis or wheel channel: what it is called and where its value comes from. One table makes
+constexpr ChannelSource kKnown = ChannelSource::Known;
+constexpr ChannelSource kMeasured = ChannelSource::Measured;
+constexpr ChannelSource kOracle = ChannelSource::Oracle;
+
+/// A channel of a kind of object: what it is called and where its value comes from. One table makes
 /// both the list of channels and the rows, so that they cannot disagree.
 template <class Source>
 struct Column {
     const char* quantity;
     const char* label;
+    const char* symbol;
     const char* unit;
+    ChannelSource source;
     const char* meaning;
     double (*value)(const Source&);
 };
@@ -23,133 +30,276 @@ struct ChassisSource {
     const Pose& pose;
 };
 
-double element(const Pose& pose, int row, int column) {
-    return pose.rotation.toRotationMatrix()(row, column);
-}
+struct WheelSource {
+    const WheelState& state;
+    const control::WheelSensors& measured;
+};
 
-// Yaw about z, then pitch about the turned y, then roll about the turned x: R = Rz Ry Rx.
-double roll(const Pose& pose) {
-    return std::atan2(element(pose, 2, 1), element(pose, 2, 2));
-}
-
-double pitch(const Pose& pose) {
-    return std::atan2(-element(pose, 2, 0), std::hypot(element(pose, 0, 0), element(pose, 1, 0)));
-}
-
-double yaw(const Pose& pose) {
-    return std::atan2(element(pose, 1, 0), element(pose, 0, 0));
-}
+struct JointSource {
+    const JointState& state;
+    double measured;
+};
 
 constexpr std::array kChassis{
-    Column<ChassisSource>{"x", "Position x", "m",
+    Column<ChassisSource>{"x", "Position x", "x", "m", kOracle,
                           "World x (forward) of the rover frame's origin carried by the chassis.",
                           [](const ChassisSource& s) { return s.pose.position.x(); }},
-    Column<ChassisSource>{"y", "Position y", "m", "World y (left) of the same point.",
+    Column<ChassisSource>{"y", "Position y", "y", "m", kOracle, "World y (left) of the same point.",
                           [](const ChassisSource& s) { return s.pose.position.y(); }},
-    Column<ChassisSource>{"z", "Position z", "m", "World z (up) of the same point.",
+    Column<ChassisSource>{"z", "Position z", "z", "m", kOracle, "World z (up) of the same point.",
                           [](const ChassisSource& s) { return s.pose.position.z(); }},
-    Column<ChassisSource>{"roll", "Roll", "rad",
+    Column<ChassisSource>{"roll", "Roll", "φ", "rad", kOracle,
                           "Turn of the chassis about its forward axis, positive right side down.",
                           [](const ChassisSource& s) { return roll(s.pose); }},
-    Column<ChassisSource>{"pitch", "Pitch", "rad",
+    Column<ChassisSource>{"pitch", "Pitch", "θ", "rad", kOracle,
                           "Turn of the chassis about its left axis, positive nose down.",
                           [](const ChassisSource& s) { return pitch(s.pose); }},
-    Column<ChassisSource>{"yaw", "Yaw", "rad",
+    Column<ChassisSource>{"yaw", "Yaw", "ψ", "rad", kOracle,
                           "Turn of the chassis about the vertical, positive to the left.",
                           [](const ChassisSource& s) { return yaw(s.pose); }},
-    Column<ChassisSource>{"speed", "Speed", "m/s",
+    Column<ChassisSource>{"speed", "Speed", "v", "m/s", kOracle,
                           "Speed of the chassis origin along the chassis' forward axis.",
                           [](const ChassisSource& s) { return s.snapshot.speed; }},
-    Column<ChassisSource>{"distance", "Distance", "m",
+    Column<ChassisSource>{"distance", "Distance", "d", "m", kOracle,
                           "Way of the chassis origin along world x since the start.",
                           [](const ChassisSource& s) { return s.snapshot.distance; }},
+    Column<ChassisSource>{"angular_rate_x", "Angular rate x", "ω_x", "rad/s", kOracle,
+                          "Angular velocity of the chassis about its own x axis.",
+                          [](const ChassisSource& s) { return s.snapshot.angularRate.x(); }},
+    Column<ChassisSource>{"angular_rate_y", "Angular rate y", "ω_y", "rad/s", kOracle,
+                          "Angular velocity of the chassis about its own y axis.",
+                          [](const ChassisSource& s) { return s.snapshot.angularRate.y(); }},
+    Column<ChassisSource>{"angular_rate_z", "Angular rate z", "ω_z", "rad/s", kOracle,
+                          "Angular velocity of the chassis about its own z axis.",
+                          [](const ChassisSource& s) { return s.snapshot.angularRate.z(); }},
+    Column<ChassisSource>{"center_of_mass_x", "Centre of mass x", "x_G", "m", kOracle,
+                          "World x of the centre of mass of the whole rover.",
+                          [](const ChassisSource& s) { return s.snapshot.centerOfMass.x(); }},
+    Column<ChassisSource>{"center_of_mass_y", "Centre of mass y", "y_G", "m", kOracle,
+                          "World y of the centre of mass of the whole rover.",
+                          [](const ChassisSource& s) { return s.snapshot.centerOfMass.y(); }},
+    Column<ChassisSource>{"center_of_mass_z", "Centre of mass z", "z_G", "m", kOracle,
+                          "World z of the centre of mass of the whole rover.",
+                          [](const ChassisSource& s) { return s.snapshot.centerOfMass.z(); }},
+    Column<ChassisSource>{"measured_speed", "Speed (measured)", "v", "m/s", kMeasured,
+                          "Body speed as the controller last read it.",
+                          [](const ChassisSource& s) { return s.snapshot.measured.bodySpeed; }},
+    Column<ChassisSource>{"measured_roll", "Roll (measured)", "φ", "rad", kMeasured,
+                          "Roll of the inertial unit as last read.",
+                          [](const ChassisSource& s) { return s.snapshot.measured.imu.roll; }},
+    Column<ChassisSource>{"measured_pitch", "Pitch (measured)", "θ", "rad", kMeasured,
+                          "Pitch of the inertial unit as last read.",
+                          [](const ChassisSource& s) { return s.snapshot.measured.imu.pitch; }},
+    Column<ChassisSource>{
+        "measured_angular_rate_x", "Angular rate x (measured)", "ω_x", "rad/s", kMeasured,
+        "Angular rate about the chassis' x axis as last read.",
+        [](const ChassisSource& s) { return s.snapshot.measured.imu.angularRate.x(); }},
+    Column<ChassisSource>{
+        "measured_angular_rate_y", "Angular rate y (measured)", "ω_y", "rad/s", kMeasured,
+        "Angular rate about the chassis' y axis as last read.",
+        [](const ChassisSource& s) { return s.snapshot.measured.imu.angularRate.y(); }},
+    Column<ChassisSource>{
+        "measured_angular_rate_z", "Angular rate z (measured)", "ω_z", "rad/s", kMeasured,
+        "Angular rate about the chassis' z axis as last read.",
+        [](const ChassisSource& s) { return s.snapshot.measured.imu.angularRate.z(); }},
+    Column<ChassisSource>{
+        "measured_acceleration_x", "Acceleration x (measured)", "a_x", "m/s^2", kMeasured,
+        "Acceleration less gravity along the chassis' x axis as last read.",
+        [](const ChassisSource& s) { return s.snapshot.measured.imu.acceleration.x(); }},
+    Column<ChassisSource>{
+        "measured_acceleration_y", "Acceleration y (measured)", "a_y", "m/s^2", kMeasured,
+        "Acceleration less gravity along the chassis' y axis as last read.",
+        [](const ChassisSource& s) { return s.snapshot.measured.imu.acceleration.y(); }},
+    Column<ChassisSource>{
+        "measured_acceleration_z", "Acceleration z (measured)", "a_z", "m/s^2", kMeasured,
+        "Acceleration less gravity along the chassis' z axis as last read.",
+        [](const ChassisSource& s) { return s.snapshot.measured.imu.acceleration.z(); }},
 };
 
 constexpr std::array kWheel{
-    Column<WheelState>{
-        "slip_abs", "Slip (absolute)", "m",
+    Column<WheelSource>{
+        "slip_abs", "Slip (absolute)", "s_abs", "m", kOracle,
         "Sum of the absolute slip of consecutive 20 ms windows since counting began.",
-        [](const WheelState& w) { return w.slipAbs; }},
-    Column<WheelState>{
-        "slip_signed", "Slip (signed)", "m",
-        "Sum of wheel-centre travel minus turn times effective radius; negative when "
-        "the wheel spins.",
-        [](const WheelState& w) { return w.slipSigned; }},
-    Column<WheelState>{"slip_ratio", "Slip ratio", "-",
-                       "(wR - v) / max(abs(wR), abs(v), 0.01 m/s): positive when the wheel spins.",
-                       [](const WheelState& w) { return w.slipRatio; }},
-    Column<WheelState>{
-        "slip_lateral", "Slip (lateral)", "m",
+        [](const WheelSource& w) { return w.state.slipAbs; }},
+    Column<WheelSource>{"slip_signed", "Slip (signed)", "s", "m", kOracle,
+                        "Sum of wheel-centre travel minus turn times effective radius; negative "
+                        "when the wheel spins.",
+                        [](const WheelSource& w) { return w.state.slipSigned; }},
+    Column<WheelSource>{"slip_ratio", "Slip ratio", "λ", "-", kOracle,
+                        "(wR - v) / max(abs(wR), abs(v), 0.01 m/s): positive when the wheel spins.",
+                        [](const WheelSource& w) { return w.state.slipRatio; }},
+    Column<WheelSource>{
+        "slip_lateral", "Slip (lateral)", "s_lat", "m", kOracle,
         "Sum of the absolute motion of the wheel centre along the axle since counting began.",
-        [](const WheelState& w) { return w.slipLateral; }},
-    Column<WheelState>{"torque_commanded", "Torque (commanded)", "N*m",
-                       "Motor torque the controller asked for, positive drives forward.",
-                       [](const WheelState& w) { return w.torqueCommanded; }},
-    Column<WheelState>{"torque_applied", "Torque (applied)", "N*m",
-                       "Motor torque after the motor's torque and speed limits.",
-                       [](const WheelState& w) { return w.torqueApplied; }},
-    Column<WheelState>{"normal_force", "Normal force", "N",
-                       "Force of the ground on the wheel along the contact normal.",
-                       [](const WheelState& w) { return w.normalForce; }},
-    Column<WheelState>{"traction_force", "Traction force", "N",
-                       "Force of the ground on the wheel along the rolling direction, positive "
-                       "forward.",
-                       [](const WheelState& w) { return w.tractionForce; }},
-    Column<WheelState>{"lateral_force", "Lateral force", "N",
-                       "Force of the ground on the wheel along the axle, positive to the left.",
-                       [](const WheelState& w) { return w.lateralForce; }},
-    Column<WheelState>{
-        "contact_angle", "Contact angle", "rad",
-        "Angle in the wheel plane from world up to the contact normal, positive when "
-        "the obstacle is ahead; held while the wheel is in the air.",
-        [](const WheelState& w) { return w.contactAngle; }},
-    Column<WheelState>{"rate", "Wheel rate", "rad/s",
-                       "Absolute rotation rate of the wheel, positive forward.",
-                       [](const WheelState& w) { return w.rate; }},
-    Column<WheelState>{"center_speed", "Wheel speed", "m/s",
-                       "Speed of the wheel centre along the contact tangent.",
-                       [](const WheelState& w) { return w.centerSpeed; }},
+        [](const WheelSource& w) { return w.state.slipLateral; }},
+    Column<WheelSource>{"torque_commanded", "Torque (commanded)", "τ_c", "N*m", kKnown,
+                        "Motor torque the controller asked for, positive drives forward.",
+                        [](const WheelSource& w) { return w.state.torqueCommanded; }},
+    Column<WheelSource>{"torque_applied", "Torque (applied)", "τ", "N*m", kKnown,
+                        "Motor torque after the motor's torque and speed limits.",
+                        [](const WheelSource& w) { return w.state.torqueApplied; }},
+    Column<WheelSource>{"power", "Power", "P", "W", kOracle,
+                        "Applied torque times the wheel's rate against its carrier, negative when "
+                        "the motor brakes.",
+                        [](const WheelSource& w) { return w.state.power; }},
+    Column<WheelSource>{"normal_force", "Normal force", "N", "N", kOracle,
+                        "Force of the ground on the wheel along the contact normal.",
+                        [](const WheelSource& w) { return w.state.normalForce; }},
+    Column<WheelSource>{
+        "traction_force", "Traction force", "T_x", "N", kOracle,
+        "Force of the ground on the wheel along the rolling direction, positive forward.",
+        [](const WheelSource& w) { return w.state.tractionForce; }},
+    Column<WheelSource>{"lateral_force", "Lateral force", "T_y", "N", kOracle,
+                        "Force of the ground on the wheel along the axle, positive to the left.",
+                        [](const WheelSource& w) { return w.state.lateralForce; }},
+    Column<WheelSource>{"force_x", "Contact force x", "F_x", "N", kOracle,
+                        "World x component of the whole force of the ground on the wheel.",
+                        [](const WheelSource& w) { return w.state.force.x(); }},
+    Column<WheelSource>{"force_y", "Contact force y", "F_y", "N", kOracle,
+                        "World y component of the same force.",
+                        [](const WheelSource& w) { return w.state.force.y(); }},
+    Column<WheelSource>{"force_z", "Contact force z", "F_z", "N", kOracle,
+                        "World z component of the same force.",
+                        [](const WheelSource& w) { return w.state.force.z(); }},
+    Column<WheelSource>{"contact_angle", "Contact angle", "γ", "rad", kOracle,
+                        "Angle in the wheel plane from world up to the contact normal, positive "
+                        "when the obstacle is ahead; held while the wheel is in the air.",
+                        [](const WheelSource& w) { return w.state.contactAngle; }},
+    Column<WheelSource>{
+        "penetration", "Penetration", "δ", "m", kOracle,
+        "How far the wheel's deepest contact lies in the ground; 0 without contact.",
+        [](const WheelSource& w) { return w.state.penetration; }},
+    Column<WheelSource>{"rate", "Wheel rate", "ω", "rad/s", kOracle,
+                        "Absolute rotation rate of the wheel, positive forward.",
+                        [](const WheelSource& w) { return w.state.rate; }},
+    Column<WheelSource>{"center_speed", "Wheel speed", "v_w", "m/s", kOracle,
+                        "Speed of the wheel centre along the contact tangent.",
+                        [](const WheelSource& w) { return w.state.centerSpeed; }},
+    Column<WheelSource>{"measured_rate", "Wheel rate (measured)", "ω", "rad/s", kMeasured,
+                        "Rate of the wheel against its carrier as the controller last read it.",
+                        [](const WheelSource& w) { return w.measured.rate; }},
+    Column<WheelSource>{"measured_normal_force", "Normal force (measured)", "N", "N", kMeasured,
+                        "Normal force of the tactile wheel as last read.",
+                        [](const WheelSource& w) { return w.measured.normalForce; }},
+    Column<WheelSource>{"measured_contact_angle", "Contact angle (measured)", "γ", "rad", kMeasured,
+                        "Contact angle of the tactile wheel as last read.",
+                        [](const WheelSource& w) { return w.measured.contactAngle; }},
+};
+
+constexpr std::array kJoint{
+    Column<JointSource>{"joint_angle", "Joint angle", "q", "rad", kOracle,
+                        "Turn of the joint's second body against the first, 0 at the drawn pose.",
+                        [](const JointSource& j) { return j.state.angle; }},
+    Column<JointSource>{"joint_rate", "Joint rate", "q'", "rad/s", kOracle, "Rate of that turn.",
+                        [](const JointSource& j) { return j.state.rate; }},
+    Column<JointSource>{"measured_joint_angle", "Joint angle (measured)", "q", "rad", kMeasured,
+                        "Turn of the joint by its encoder as the controller last read it.",
+                        [](const JointSource& j) { return j.measured; }},
 };
 
 template <class Source>
-Channel channelOf(const Column<Source>& column, const std::string& object) {
-    return {column.quantity, object, column.label, column.unit, column.meaning};
+Channel channelOf(const Column<Source>& column, const std::string& object, ChannelGroup group) {
+    return {column.quantity, object,         column.label, column.symbol,
+            column.unit,     column.meaning, group,        column.source};
+}
+
+/// Values of every column, or as many NaN where there is nothing to take them from.
+template <class Source, std::size_t N>
+void append(const std::array<Column<Source>, N>& columns, const Source* source,
+            std::vector<double>& row) {
+    for (const Column<Source>& column : columns) {
+        row.push_back(source != nullptr ? column.value(*source)
+                                        : std::numeric_limits<double>::quiet_NaN());
+    }
 }
 
 }  // namespace
 
+std::string toString(ChannelGroup group) {
+    switch (group) {
+        case ChannelGroup::Time:
+            return "time";
+        case ChannelGroup::Chassis:
+            return "chassis";
+        case ChannelGroup::Wheel:
+            return "wheel";
+        case ChannelGroup::Joint:
+            return "joint";
+    }
+    return "unknown";
+}
+
+std::string toString(ChannelSource source) {
+    switch (source) {
+        case ChannelSource::Known:
+            return "known";
+        case ChannelSource::Measured:
+            return "measured";
+        case ChannelSource::Oracle:
+            return "oracle";
+    }
+    return "unknown";
+}
+
+std::string Channel::id() const {
+    return quantity + (object.empty() ? "" : "_" + object);
+}
+
 std::string Channel::column() const {
-    return quantity + (object.empty() ? "" : "_" + object) + " [" + unit + "]";
+    return id() + " [" + unit + "]";
 }
 
 std::vector<Channel> makeChannels(const mechanism::Mechanism& mechanism) {
     std::vector<Channel> channels;
-    channels.push_back({"time", "", "Time", "s", "Simulated time since the start of the run."});
+    channels.push_back({"time", "", "Time", "t", "s", "Simulated time since the start of the run.",
+                        ChannelGroup::Time, ChannelSource::Known});
     for (const auto& column : kChassis) {
-        channels.push_back(channelOf(column, "chassis"));
+        channels.push_back(channelOf(column, "chassis", ChannelGroup::Chassis));
     }
     for (const mechanism::Wheel& wheel : mechanism.wheels) {
         for (const auto& column : kWheel) {
-            channels.push_back(channelOf(column, wheel.name));
+            channels.push_back(channelOf(column, wheel.name, ChannelGroup::Wheel));
+        }
+    }
+    for (const int joint : mechanism.encoderJoints()) {
+        for (const auto& column : kJoint) {
+            const std::string& name = mechanism.joints[static_cast<std::size_t>(joint)].name;
+            channels.push_back(channelOf(column, name, ChannelGroup::Joint));
         }
     }
     return channels;
 }
 
-void sampleChannels(const Snapshot& snapshot, std::vector<double>& row, int chassis) {
-    if (chassis < 0 || static_cast<std::size_t>(chassis) >= snapshot.bodies.size()) {
+void sampleChannels(const mechanism::Mechanism& mechanism, const Snapshot& snapshot,
+                    std::vector<double>& row) {
+    const auto chassis = static_cast<std::size_t>(mechanism.chassis);
+    if (chassis >= snapshot.bodies.size()) {
         throw std::invalid_argument("sampleChannels: the snapshot has no such chassis body");
     }
     row.clear();
-    row.reserve(1 + kChassis.size() + kWheel.size() * snapshot.wheels.size());
     row.push_back(snapshot.time);
-    const ChassisSource source{snapshot, snapshot.bodies[static_cast<std::size_t>(chassis)]};
-    for (const auto& column : kChassis) {
-        row.push_back(column.value(source));
+    const ChassisSource body{snapshot, snapshot.bodies[chassis]};
+    append(kChassis, &body, row);
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < mechanism.wheels.size(); ++i) {
+        static constexpr control::WheelSensors kUnread{kNone, kNone, kNone};
+        const auto& measured = snapshot.measured.wheels;
+        if (i < snapshot.wheels.size()) {
+            const WheelSource wheel{snapshot.wheels[i],
+                                    i < measured.size() ? measured[i] : kUnread};
+            append(kWheel, &wheel, row);
+        } else {
+            append<WheelSource>(kWheel, nullptr, row);
+        }
     }
-    for (const WheelState& wheel : snapshot.wheels) {
-        for (const auto& column : kWheel) {
-            row.push_back(column.value(wheel));
+    const std::size_t encoders = mechanism.encoderJoints().size();
+    for (std::size_t i = 0; i < encoders; ++i) {
+        const auto& measured = snapshot.measured.joints;
+        if (i < snapshot.joints.size()) {
+            const JointSource joint{snapshot.joints[i], i < measured.size() ? measured[i] : kNone};
+            append(kJoint, &joint, row);
+        } else {
+            append<JointSource>(kJoint, nullptr, row);
         }
     }
 }
@@ -162,6 +312,22 @@ int findChannel(const std::vector<Channel>& channels, const std::string& quantit
         }
     }
     return -1;
+}
+
+std::string channelTable() {
+    mechanism::Mechanism any;
+    any.wheels.emplace_back().name = "WHEEL";
+    mechanism::Joint& joint = any.joints.emplace_back();
+    joint.name = "JOINT";
+    joint.built.push_back({mechanism::FreedomKind::Turn, joint.axis});
+    std::string text =
+        "| column | name on screen | symbol | source | meaning |\n| --- | --- | --- | --- | --- "
+        "|\n";
+    for (const Channel& channel : makeChannels(any)) {
+        text += "| `" + channel.column() + "` | " + channel.label + " | `" + channel.symbol +
+                "` | " + toString(channel.source) + " | " + channel.meaning + " |\n";
+    }
+    return text;
 }
 
 }  // namespace simcore::run

@@ -96,7 +96,7 @@ struct RunWorker::Impl {
     Impl(ResolvedRun r, StepperFactory f)
         : run(std::move(r)),
           factory(std::move(f)),
-          sampler(run.mechanism.chassis) {}
+          sampler(run.mechanism) {}
 
     // Written before the thread starts, only read after.
     const ResolvedRun run;

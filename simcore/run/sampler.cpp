@@ -51,7 +51,7 @@ void Sampler::finish(const Snapshot& snapshot) {
 void Sampler::takeRow(const Snapshot& snapshot) {
     rowIndex_ = periodIndex(snapshot.time, kRowPeriod);
     rowTime_ = snapshot.time;
-    sampleChannels(snapshot, rows_.emplace_back(), chassis_);
+    sampleChannels(mechanism_, snapshot, rows_.emplace_back());
 }
 
 void Sampler::takeFrame(const Snapshot& snapshot) {

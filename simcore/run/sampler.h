@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "simcore/mechanism/mechanism.h"
 #include "simcore/run/snapshot.h"
 
 namespace simcore::run {
@@ -12,7 +13,8 @@ namespace simcore::run {
 /// only, not on how it is paced.
 class Sampler {
   public:
-    explicit Sampler(int chassis) : chassis_(chassis) {}
+    /// @param mechanism  must outlive the sampler
+    explicit Sampler(const mechanism::Mechanism& mechanism) : mechanism_(mechanism) {}
 
     /// Forgets everything and takes the start of the run.
     void start(const Snapshot& snapshot);
@@ -31,7 +33,7 @@ class Sampler {
     void takeRow(const Snapshot& snapshot);
     void takeFrame(const Snapshot& snapshot);
 
-    int chassis_;
+    const mechanism::Mechanism& mechanism_;
     long rowIndex_ = 0, frameIndex_ = 0;      ///< of the period last taken
     double rowTime_ = 0.0, frameTime_ = 0.0;  ///< of the instant last taken [s]
     std::vector<std::vector<double>> rows_;

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 
 #include <fmt/format.h>
 
+#include "simcore/base/hash.h"
 #include "simcore/contact/wheel_contact.h"
 #include "simcore/control/controller.h"
 #include "simcore/control/wheel_drive.h"
 #include "simcore/dynamics/engine.h"
 #include "simcore/run/wheel_observer.h"
+#include "simcore/sensors/sensor_suite.h"
 
 namespace simcore::run {
 namespace {
@@ -23,20 +24,6 @@ constexpr double kStuckTime = 10.0;
 constexpr double kFastest = 100.0;
 // Below this rate rolling resistance fades, so that it does not push at rest [rad/s].
 constexpr double kRollingRate = 0.05;
-
-/// FNV-1a over the bytes of the engine's state.
-std::string hashOf(const std::vector<double>& numbers, long steps) {
-    std::uint64_t hash = 14695981039346656037ULL;
-    const auto add = [&hash](const void* data, std::size_t size) {
-        const auto* bytes = static_cast<const unsigned char*>(data);
-        for (std::size_t i = 0; i < size; ++i) {
-            hash = (hash ^ bytes[i]) * 1099511628211ULL;
-        }
-    };
-    add(numbers.data(), numbers.size() * sizeof(double));
-    add(&steps, sizeof steps);
-    return fmt::format("{:016x}", hash);
-}
 
 control::ControllerSettings controllerSettings(const ResolvedRun& run) {
     control::ControllerSettings settings;
@@ -70,6 +57,7 @@ struct Simulation::Impl {
     std::string whyStuck() const;
     control::DriveCommand driveCommand() const;
     double endTime() const;
+    std::string hashText() const;
 
     bool manual() const { return run.controller == project::ControllerKind::Manual; }
 
@@ -78,11 +66,12 @@ struct Simulation::Impl {
     contact::WheelContactFinder contactFinder;
     std::unique_ptr<control::Controller> controller;
     std::vector<control::WheelDrive> drives;
+    sensors::SensorSuite sensors;
+    std::vector<int> encoders;
     WheelObserver observer;
     FrictionMeter friction;
 
     ManualCommand manualCommand;
-    control::Sensors sensors;
     std::vector<control::WheelCommand> commands;
     std::vector<double> torques;
     std::vector<double> resistances;
@@ -90,6 +79,7 @@ struct Simulation::Impl {
     std::vector<contact::Contact> contacts;
     long controlTicks = 0;
 
+    StateHash hash;  ///< of the states that steps started from
     Snapshot now;
     StopReason reason = StopReason::Running;
     std::string detail;
@@ -108,6 +98,8 @@ Simulation::Impl::Impl(ResolvedRun settings)
       engine(dynamics::makeOdeEngine(run.mechanism, {run.step, dynamics::kGravity})),
       contactFinder(run.mechanism, *run.terrain),
       controller(control::makeController(run.mechanism, controllerSettings(run))),
+      sensors(run.mechanism, run.sensors, run.seed),
+      encoders(run.mechanism.encoderJoints()),
       observer(run.mechanism, run.step),
       friction(run.mechanism, *run.terrain, run.friction) {
     for (const mechanism::Wheel& wheel : run.mechanism.wheels) {
@@ -126,14 +118,15 @@ void Simulation::Impl::reset() {
     observer.reset();
     friction.reset();
     manualCommand = {};
-    sensors = {};
-    sensors.wheels.assign(count, {});
+    sensors.reset();
+    hash = {};
     commands.assign(count, {});
     torques.assign(count, 0.0);
     resistances.assign(count, 0.0);
     controlTicks = 0;
     now = {};
     now.wheels.assign(count, {});
+    now.measured = sensors::noReadings(run.mechanism);
     reason = StopReason::Running;
     detail.clear();
     wheels.assign(count, {});
@@ -164,19 +157,8 @@ void Simulation::Impl::control() {
         return;
     }
     ++controlTicks;
-    const auto chassis = static_cast<std::size_t>(run.mechanism.chassis);
-    sensors.bodySpeed = now.speed;
-    sensors.yawRate = engine->velocities()[chassis].angular.z();
-    for (std::size_t i = 0; i < sensors.wheels.size(); ++i) {
-        const mechanism::Wheel& wheel = run.mechanism.wheels[i];
-        const auto body = static_cast<std::size_t>(wheel.body);
-        const Vec3 axis = engine->poses()[body].rotation * wheel.axis;
-        const Vec3 relative = engine->velocities()[body].angular -
-                              engine->velocities()[static_cast<std::size_t>(wheel.carrier)].angular;
-        sensors.wheels[i] = {axis.dot(relative), now.wheels[i].normalForce,
-                             now.wheels[i].contactAngle};
-    }
-    controller->update(sensors, driveCommand(), commands);
+    sensors.read(*engine, now, now.measured);
+    controller->update(now.measured, driveCommand(), commands);
 }
 
 void Simulation::Impl::applyDrives() {
@@ -195,7 +177,8 @@ void Simulation::Impl::applyDrives() {
                          std::tanh(absolute / kRollingRate);
         now.wheels[i].torqueCommanded = drives[i].commanded();
         now.wheels[i].torqueApplied = torques[i];
-        const double work = std::max(0.0, torques[i] * relative) * run.step;
+        now.wheels[i].power = torques[i] * relative;
+        const double work = std::max(0.0, now.wheels[i].power) * run.step;
         energy += work;
         wheels[i].energy += work;
         wheels[i].maxTorque = std::max(wheels[i].maxTorque, std::abs(torques[i]));
@@ -215,6 +198,7 @@ void Simulation::Impl::step() {
         reason = StopReason::NonFinite;
         detail = "body " + body;
     } else {
+        hash.add(lastGood);
         ++now.step;
         now.time = static_cast<double>(now.step) * run.step;
         measure();
@@ -287,6 +271,13 @@ void Simulation::Impl::updateSnapshot() {
     now.distance = pose.position.x();
     const dynamics::BodyVelocity& velocity = engine->velocities()[chassis];
     const Vec3 arm = -(pose.rotation * run.mechanism.bodies[chassis].com);
+    now.angularRate = pose.rotation.conjugate() * velocity.angular;
+    now.joints.clear();
+    for (const int index : encoders) {
+        const mechanism::Joint& joint = run.mechanism.joints[static_cast<std::size_t>(index)];
+        now.joints.push_back({dynamics::jointAngle(joint, engine->poses()),
+                              dynamics::jointRate(joint, engine->poses(), engine->velocities())});
+    }
     now.speed = (pose.rotation * Vec3::UnitX()).dot(velocity.linear + velocity.angular.cross(arm));
 }
 
@@ -296,6 +287,12 @@ double Simulation::Impl::endTime() const {
     }
     // 60 % more than the drive takes without slip.
     return run.settle + run.ramp + 1.0 + 1.6 * run.distance / std::max(std::abs(run.speed), 1e-3);
+}
+
+std::string Simulation::Impl::hashText() const {
+    StateHash all = hash;
+    all.add(engine->saveState());
+    return fmt::format("{:016x}", all.value());
 }
 
 void Simulation::Impl::checkEnd() {
@@ -374,7 +371,7 @@ RunReport Simulation::report() const {
         report.wheels[i].meanNormalForce = counted > 0.0 ? s.loadSums[i] / counted : 0.0;
     }
     report.energy = s.energy;
-    report.stateHash = hashOf(s.engine->saveState(), s.now.step);
+    report.stateHash = s.hashText();
     report.frictionViolationPercent = s.friction.violationPercent();
     report.loopErrorMax = s.loopErrorMax;
     report.penetrationMax = s.penetrationMax;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "simcore/base/pose.h"
+#include "simcore/control/sensors.h"
 
 namespace simcore::run {
 
@@ -25,6 +26,14 @@ struct WheelState {
     double slipLateral = 0.0;      ///< cumulated |motion| of the centre along the axle [m]
     double torqueCommanded = 0.0;  ///< [N m], + drives forward
     double torqueApplied = 0.0;    ///< after limits [N m]
+    double power = 0.0;            ///< applied torque times rate against the carrier [W]
+    double penetration = 0.0;      ///< of the deepest contact [m]
+};
+
+/// Turn of a joint about its axis: second body against first, 0 at the drawn pose.
+struct JointState {
+    double angle = 0.0;  ///< [rad]
+    double rate = 0.0;   ///< [rad/s]
 };
 
 /// Everything a view needs about one instant of a run. Immutable once published.
@@ -36,6 +45,10 @@ struct Snapshot {
     Vec3 centerOfMass = Vec3::Zero();  ///< world [m]
     double distance = 0.0;             ///< chassis origin along x since the start [m]
     double speed = 0.0;                ///< chassis origin along the chassis' forward axis [m/s]
+    Vec3 angularRate = Vec3::Zero();   ///< of the chassis, in its own axes [rad/s]
+    std::vector<JointState> joints;    ///< Mechanism::encoderJoints()
+    /// What the controller read at its last look; NaN before the first.
+    control::Sensors measured;
 };
 
 }  // namespace simcore::run

@@ -37,6 +37,7 @@ void WheelObserver::observeContact(std::size_t wheel, const Pose& pose,
     Vec3 force = Vec3::Zero();
     double load = 0.0;
     double radiusSum = 0.0;
+    double depth = 0.0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         if (contacts[i].wheel != static_cast<int>(wheel)) {
             continue;
@@ -48,10 +49,12 @@ void WheelObserver::observeContact(std::size_t wheel, const Pose& pose,
         radiusSum += n * (arm - arm.dot(axis) * axis).norm();
         force += forces[i];
         load += n;
+        depth = std::max(depth, contacts[i].depth);
     }
     RollingFrame& frame = frames_[wheel];
     state.touching = load > 0.0 && normalSum.norm() > 1e-9 * load;
     state.force = force;
+    state.penetration = depth;
     if (state.touching) {
         frame.normal = normalSum.normalized();
         frame.effectiveRadius = radiusSum / load;

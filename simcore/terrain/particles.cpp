@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simcore/terrain/random.h"
+#include "simcore/base/random.h"
 
 namespace simcore::terrain {
 namespace {

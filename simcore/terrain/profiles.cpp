@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "simcore/terrain/random.h"
+#include "simcore/base/random.h"
 
 namespace simcore::terrain {
 namespace {

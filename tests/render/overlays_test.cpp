@@ -8,7 +8,7 @@
 #include "render/overlays/overlay_nodes.h"
 #include "render/overlays/support_polygon.h"
 #include "render/palette.h"
-#include "simcore/terrain/random.h"
+#include "simcore/base/random.h"
 #include "tests/support/rovers.h"
 #include "tests/support/scene_graph.h"
 #include "tests/support/snapshots.h"
@@ -183,7 +183,7 @@ TEST_F(OverlayTest, PolygonWarnsWhenTheCentreOfMassIsOutside) {
 
 // Hulls of random points, by definition: all points on the left of every edge, corners convex.
 TEST(ConvexHull, HoldsAllPointsAndOnlyCorners) {
-    terrain::Random random(11);
+    Random random(11);
     for (int trial = 0; trial < 200; ++trial) {
         Points points;
         for (int i = 0; i < 3 + trial % 9; ++i) {

@@ -8,7 +8,7 @@
 
 #include "render/palette.h"
 #include "render/scene.h"
-#include "simcore/terrain/random.h"
+#include "simcore/base/random.h"
 #include "tests/support/rovers.h"
 #include "tests/support/scene_graph.h"
 #include "tests/support/snapshots.h"
@@ -76,7 +76,7 @@ class SceneTest : public testing::Test {
     Scene scene;
 };
 
-Pose randomPose(terrain::Random& random) {
+Pose randomPose(Random& random) {
     const Vec3 axis(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     Pose pose = turnAbout(Vec3::Zero(), axis, random.uniform(-3, 3));
     pose.position = Vec3(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
@@ -112,7 +112,7 @@ TEST_F(SceneTest, EveryBodyIsANodeOfItsName) {
 
 // Whatever the poses are, the drawn points of each body go where its pose carries them.
 TEST_F(SceneTest, SnapshotCarriesEveryBody) {
-    terrain::Random random(5);
+    Random random(5);
     std::vector<std::vector<DrawnVertex>> before;
     for (const auto& body : mechanism.bodies) {
         before.push_back(verticesBelow(bodyNode(body.name)));
@@ -400,7 +400,7 @@ TEST_F(SceneTest, PickHitsTheGroundAtItsHeight) {
     const auto terrain = std::make_shared<const terrain::Terrain>(
         made(spec(project::TerrainKind::Particles, 0.0, 1.0, 0.11, 20, 3)));
     scene.setTerrain(terrain);
-    terrain::Random random(3);
+    Random random(3);
     for (int i = 0; i < 20; ++i) {
         const double x = random.uniform(1.5, 3.0), y = random.uniform(-0.8, 0.8);
         const Pick pick = scene.pick({x, y, 2.0}, {x, y, -2.0}, 0.01);

@@ -29,6 +29,7 @@ class FakeStepper final : public Stepper {
         snapshot_ = Snapshot{};
         snapshot_.bodies.resize(1);
         snapshot_.wheels.resize(kWheels.size());
+        snapshot_.measured.wheels.resize(kWheels.size());
         chaos_ = 0.1 + 0.01 * run_.seed;
         hash_ = 14695981039346656037ULL;
         fill();
@@ -98,6 +99,7 @@ class FakeStepper final : public Stepper {
             wheel.slipRatio = 0.3 * bump + 0.01 * noise;
             wheel.slipAbs +=
                 (0.004 + 0.03 * bump) * run_.step * (1.0 + 0.1 * static_cast<double>(i));
+            snapshot_.measured.wheels[i] = {wheel.rate, wheel.normalForce, wheel.contactAngle};
             wheel.slipSigned -= 0.02 * bump * run_.step;
         }
     }

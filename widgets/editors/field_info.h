@@ -76,6 +76,14 @@ inline const char* elementWord(const simcore::project::Controller*) {
     return "controller";
 }
 
+inline const char* elementWord(const simcore::project::SensorError*) {
+    return "sensor";
+}
+
+inline const char* elementWord(const simcore::project::Sensors*) {
+    return "sensors";
+}
+
 inline const char* elementWord(const simcore::project::RunSettings*) {
     return "run";
 }

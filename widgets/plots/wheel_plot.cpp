@@ -23,7 +23,7 @@ QString prettyUnit(const QString& unit) {
 std::vector<ShownQuantity> quantitiesIn(const std::vector<simcore::run::Channel>& channels) {
     std::vector<ShownQuantity> quantities;
     for (const simcore::run::Channel& channel : channels) {
-        if (channel.object.empty() || channel.object == "chassis") {
+        if (channel.group != simcore::run::ChannelGroup::Wheel) {
             continue;
         }
         const QString name = QString::fromStdString(channel.quantity);

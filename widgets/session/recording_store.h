@@ -10,8 +10,8 @@ namespace widgets {
 /// a long drive is kept whole at half the resolution.
 class RecordingStore {
   public:
-    /// About 40 minutes of rows and 10 minutes of frames at full resolution, some 250 MB together.
-    explicit RecordingStore(std::size_t rowLimit = 240'000, std::size_t frameLimit = 30'000);
+    /// About 20 minutes of rows and 10 minutes of frames at full resolution, some 300 MB together.
+    explicit RecordingStore(std::size_t rowLimit = 120'000, std::size_t frameLimit = 30'000);
 
     void start(const simcore::mechanism::Mechanism& mechanism);
     void clearData();

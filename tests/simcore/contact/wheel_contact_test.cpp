@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "simcore/base/random.h"
 #include "simcore/contact/wheel_contact.h"
-#include "simcore/terrain/random.h"
 #include "tests/support/mechanisms.h"
 #include "tests/support/terrains.h"
 
@@ -203,7 +203,7 @@ TEST(WheelContactTest, TurnedWheelRollsWhereItPoints) {
 // Spinning the wheel about its axle changes nothing.
 TEST(WheelContactTest, SpinDoesNotMatter) {
     const auto terrain = made(spec(TerrainKind::Stairs, 0.03, 0.07, 0.0, 20));
-    terrain::Random random(9);
+    Random random(9);
     for (int i = 0; i < 200; ++i) {
         const Vec3 center(random.uniform(0.9, 2.2), 0.0, random.uniform(0.1, 0.7));
         const auto still = contactsAt(terrain, center);
@@ -222,7 +222,7 @@ TEST(WheelContactTest, SpinDoesNotMatter) {
 // deepest contact as deep as the nearest point of a finely sampled ground.
 TEST(WheelContactTest, AgreesWithFinelySampledGround) {
     const auto terrain = made(spec(TerrainKind::RandomProfile, 0.1, 3.0, 0.0, 8, 3));
-    terrain::Random random(11);
+    Random random(11);
     int touching = 0;
     for (int i = 0; i < 400; ++i) {
         const double x = random.uniform(0.9, 4.1);

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "simcore/base/random.h"
 #include "simcore/io/project_file.h"
 #include "simcore/project/resolve.h"
-#include "simcore/terrain/random.h"
 #include "tests/support/projects.h"
 
 using namespace simcore;
@@ -210,7 +210,7 @@ class Mutator {
         return json.dump(1, ' ', false, Json::error_handler_t::replace);
     }
 
-    terrain::Random random_;
+    Random random_;
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ class ChannelsTest : public ::testing::Test {
   protected:
     double value(const std::string& quantity, const std::string& object) {
         std::vector<double> row;
-        sampleChannels(snapshot, row);
+        sampleChannels(mechanism, snapshot, row);
         const int index = findChannel(channels, quantity, object);
         return index < 0 ? std::nan("") : row.at(static_cast<std::size_t>(index));
     }
@@ -59,7 +59,7 @@ TEST_F(ChannelsTest, WheelsAppearInFileOrder) {
 
 TEST_F(ChannelsTest, RowIsAsLongAsTheListOfChannels) {
     std::vector<double> row{1.0, 2.0};
-    sampleChannels(snapshot, row);
+    sampleChannels(mechanism, snapshot, row);
     EXPECT_EQ(row.size(), channels.size());
 }
 
@@ -77,14 +77,51 @@ TEST_F(ChannelsTest, EachWheelValueLandsInItsOwnColumn) {
     wheel.contactAngle = 10;
     wheel.rate = 11;
     wheel.centerSpeed = 12;
+    wheel.power = 13;
+    wheel.penetration = 14;
+    wheel.force = Vec3(15, 16, 17);
     const std::vector<std::string> quantities{
-        "slip_abs",         "slip_signed",    "slip_ratio",   "slip_lateral",
-        "torque_commanded", "torque_applied", "normal_force", "traction_force",
-        "lateral_force",    "contact_angle",  "rate",         "center_speed"};
+        "slip_abs",       "slip_signed",  "slip_ratio",     "slip_lateral",  "torque_commanded",
+        "torque_applied", "normal_force", "traction_force", "lateral_force", "contact_angle",
+        "rate",           "center_speed", "power",          "penetration",   "force_x",
+        "force_y",        "force_z"};
     for (std::size_t i = 0; i < quantities.size(); ++i) {
         EXPECT_EQ(value(quantities[i], "bogie_left_rear"), static_cast<double>(i + 1))
             << quantities[i];
         EXPECT_EQ(value(quantities[i], "front"), 0.0) << quantities[i];
+    }
+}
+
+// Before the sensors' first look there is nothing to show; it is missing, not 0.
+TEST_F(ChannelsTest, WhatIsNotMeasuredYetIsMissing) {
+    EXPECT_TRUE(std::isnan(value("measured_rate", "front")));
+    snapshot.measured.wheels.assign(mechanism.wheels.size(), {1.0, 2.0, 3.0});
+    EXPECT_EQ(value("measured_rate", "front"), 1.0);
+    EXPECT_EQ(value("measured_normal_force", "front"), 2.0);
+    EXPECT_EQ(value("measured_contact_angle", "front"), 3.0);
+}
+
+TEST_F(ChannelsTest, JointsWithEncodersFollowTheWheels) {
+    mechanism::Joint& pin = mechanism.joints.emplace_back();
+    pin.name = "bogie_pin";
+    pin.built.push_back({mechanism::FreedomKind::Turn, pin.axis});
+    channels = makeChannels(mechanism);
+    EXPECT_TRUE(std::isnan(value("joint_angle", "bogie_pin")));
+    snapshot.joints.push_back({0.3, -0.2});
+    snapshot.measured.joints.push_back(0.31);
+    EXPECT_EQ(value("joint_angle", "bogie_pin"), 0.3);
+    EXPECT_EQ(value("joint_rate", "bogie_pin"), -0.2);
+    EXPECT_EQ(value("measured_joint_angle", "bogie_pin"), 0.31);
+}
+
+// A controller may read `measured` and `known` only: every measured number has a true one beside it
+// that is marked oracle.
+TEST_F(ChannelsTest, EveryMeasuredChannelSaysSoInItsName) {
+    for (const Channel& channel : channels) {
+        EXPECT_EQ(channel.quantity.starts_with("measured_"),
+                  channel.source == ChannelSource::Measured)
+            << channel.id();
+        EXPECT_FALSE(channel.symbol.empty()) << channel.id();
     }
 }
 
@@ -107,8 +144,10 @@ TEST_F(ChannelsTest, PositivePitchIsNoseDown) {
 
 TEST_F(ChannelsTest, ChassisBodyMustExist) {
     std::vector<double> row;
-    EXPECT_THROW(sampleChannels(snapshot, row, 1), std::invalid_argument);
-    EXPECT_THROW(sampleChannels(snapshot, row, -1), std::invalid_argument);
+    mechanism.chassis = 1;
+    EXPECT_THROW(sampleChannels(mechanism, snapshot, row), std::invalid_argument);
+    mechanism.chassis = -1;
+    EXPECT_THROW(sampleChannels(mechanism, snapshot, row), std::invalid_argument);
 }
 
 }  // namespace

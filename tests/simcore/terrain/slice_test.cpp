@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "simcore/terrain/random.h"
+#include "simcore/base/random.h"
 #include "tests/support/terrains.h"
 
 using namespace simcore;

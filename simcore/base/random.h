@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace simcore::terrain {
+namespace simcore {
 
 /// SplitMix64 (Steele, Lea, Flood 2014): the same numbers on every machine and library.
 class Random {
@@ -23,8 +23,18 @@ class Random {
         return low + (high - low) * static_cast<double>(next() >> 11) * kUnit;
     }
 
+    /// Mean 0, deviation 1, within 6: the sum of twelve even numbers is near enough to a Gaussian
+    /// for sensor noise, and needs no logarithm, whose last digit differs between libraries.
+    double normal() {
+        double sum = -6.0;
+        for (int i = 0; i < 12; ++i) {
+            sum += uniform(0.0, 1.0);
+        }
+        return sum;
+    }
+
   private:
     std::uint64_t state_;
 };
 
-}  // namespace simcore::terrain
+}  // namespace simcore
