@@ -24,6 +24,7 @@ struct DriveCommand {
 enum class WheelMode {
     Speed,   ///< the loop drives the wheel at `speed`
     Torque,  ///< the wheel gets `torque`; the loop takes over where its rate would pass `speed`
+    Lock,    ///< the brake holds the wheel on its carrier, up to the torque limit
 };
 
 /// For one wheel: what its drive does at every engine step, until the next command.

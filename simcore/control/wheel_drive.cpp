@@ -58,6 +58,12 @@ double WheelDrive::heldBelowSpeed(const WheelCommand& command, double rate, doub
 }
 
 double WheelDrive::torque(const WheelCommand& command, double rate, double step) {
+    if (command.mode == WheelMode::Lock) {
+        // The brake holds; the motor starts from there.
+        reset();
+        commanded_ = 0.0;
+        return 0.0;
+    }
     const double cap = std::min(command.torqueCap, torqueLimit_);
     if (command.mode == WheelMode::Torque) {
         WheelCommand capped = command;

@@ -16,9 +16,21 @@ namespace simcore::dynamics {
 /// Standard engineering value used by the reference data [m/s^2].
 inline constexpr double kGravity = 9.81;
 
+/// Which freedoms the joints get: those the rover is built with, or those of the relaxed model.
+enum class JointSet { Built, Relaxed };
+
 struct EngineSettings {
     double step = 0.002;        ///< [s]
     double gravity = kGravity;  ///< along -z [m/s^2]
+    JointSet joints = JointSet::Built;
+};
+
+/// A joint that is turned at a given rate about its axis, as far as a torque limit allows: a
+/// steering servo, or (rate 0) a locked wheel.
+struct JointMotor {
+    int joint = -1;            ///< mechanism joint index
+    double rate = 0.0;         ///< second body against first [rad/s]
+    double torqueLimit = 0.0;  ///< [N m]
 };
 
 /// What acts on the mechanism during one step. Spans are as long as the mechanism's wheels.
@@ -29,8 +41,18 @@ struct StepInput {
     std::span<const double> externalTorques;
     /// Where the wheels touch at the start of the step.
     std::span<const contact::Contact> contacts;
-    /// Coulomb coefficient of all contacts [-].
-    double friction = 0.7;
+    /// Coulomb coefficient of each contact [-]; as long as `contacts`.
+    std::span<const double> frictions;
+    /// At most one a joint. A wheel with a motor on its axle gets its torque as well.
+    std::span<const JointMotor> motors = {};
+};
+
+/// What the first body of a joint does to the second, motors and stops included, in the world: a
+/// force at the joint's point [N] and a torque [N m]. In a hyperstatic mechanism only the parts
+/// that the loads determine mean anything.
+struct JointReaction {
+    Vec3 force = Vec3::Zero();
+    Vec3 torque = Vec3::Zero();
 };
 
 /// Velocity of a body: of its centre of mass [m/s] and angular [rad/s], world.
@@ -61,6 +83,8 @@ class Engine {
     virtual const std::vector<BodyVelocity>& velocities() const = 0;
     /// Force of the ground on the wheel [N], world, per contact of the last step's input.
     virtual const std::vector<Vec3>& contactForces() const = 0;
+    /// Of every joint in the last step, mechanism order. Empty before the first step.
+    virtual const std::vector<JointReaction>& jointReactions() const = 0;
 
     /// Everything the next step depends on, as numbers: restoring it continues bit for bit.
     virtual std::vector<double> saveState() const = 0;
@@ -77,9 +101,13 @@ double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
                  const std::vector<BodyVelocity>& velocities);
 
 /// Largest gap between the two bodies of any joint, along the directions it holds [m].
-double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses);
+double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses,
+                 JointSet set = JointSet::Built);
 
-/// What the ODE engine cannot run in this mechanism (as built); empty when it can.
+/// The freedoms of a joint in a joint set.
+const std::vector<mechanism::Freedom>& freedomsOf(const mechanism::Joint& joint, JointSet set);
+
+/// What the ODE engine cannot run in this mechanism; empty when it can.
 Problems whyOdeCannotRun(const mechanism::Mechanism& mechanism);
 
 /// The Open Dynamics Engine.

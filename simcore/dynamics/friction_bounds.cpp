@@ -48,8 +48,9 @@ const FrictionBounds::Remembered* FrictionBounds::recall(const contact::Contact&
     return best;
 }
 
-void FrictionBounds::begin(std::span<const contact::Contact> contacts, double friction) {
-    friction_ = friction;
+void FrictionBounds::begin(std::span<const contact::Contact> contacts,
+                           std::span<const double> frictions) {
+    frictions_.assign(frictions.begin(), frictions.end());
     updates_ = 0;
     boxes_.assign(contacts.size(), {});
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -58,7 +59,7 @@ void FrictionBounds::begin(std::span<const contact::Contact> contacts, double fr
         if (const Remembered* old = recall(contacts[i])) {
             box.fromNormalForce = false;
             const Vec3 tangential = tangentialPart(old->tangential, contacts[i].normal);
-            const double limit = friction * old->normalForce;
+            const double limit = frictions[i] * old->normalForce;
             setLimit(box, limit, tangential.norm() < kLoose * limit);
             if (tangential.norm() > kDirected * box.along && tangential.norm() > kToleranceForce) {
                 box.direction = tangential.normalized();
@@ -74,7 +75,7 @@ bool FrictionBounds::update(std::span<const contact::Contact> contacts,
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         FrictionBox& box = boxes_[i];
         const Vec3& normal = contacts[i].normal;
-        const double limit = friction_ * std::max(0.0, forces[i].dot(normal));
+        const double limit = frictions_[i] * std::max(0.0, forces[i].dot(normal));
         const Vec3 tangential = tangentialPart(forces[i], normal);
         const double size = tangential.norm();
         const double along = std::abs(tangential.dot(box.direction));

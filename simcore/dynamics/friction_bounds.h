@@ -25,7 +25,8 @@ struct FrictionBox {
 class FrictionBounds {
   public:
     /// First guesses for these contacts, from the forces remembered of the last step.
-    void begin(std::span<const contact::Contact> contacts, double friction);
+    /// @param frictions  Coulomb coefficient of each contact [-]
+    void begin(std::span<const contact::Contact> contacts, std::span<const double> frictions);
 
     const FrictionBox& box(std::size_t contact) const { return boxes_[contact]; }
 
@@ -52,7 +53,7 @@ class FrictionBounds {
 
     const Remembered* recall(const contact::Contact& contact) const;
 
-    double friction_ = 0.0;
+    std::vector<double> frictions_;
     int updates_ = 0;
     std::vector<FrictionBox> boxes_;
     std::vector<Remembered> memory_;

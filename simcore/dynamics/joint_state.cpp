@@ -22,13 +22,18 @@ double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
     return axis_W.dot(velocities[second].angular - velocities[first].angular);
 }
 
-double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses) {
+const std::vector<mechanism::Freedom>& freedomsOf(const mechanism::Joint& joint, JointSet set) {
+    return set == JointSet::Built ? joint.built : joint.relaxed;
+}
+
+double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses,
+                 JointSet set) {
     double largest = 0.0;
     for (const mechanism::Joint& joint : mechanism.joints) {
         const Pose& first = poses[static_cast<std::size_t>(joint.first)];
         const Pose& second = poses[static_cast<std::size_t>(joint.second)];
         Vec3 gap = first.rotation.conjugate() * (second * joint.point - first * joint.point);
-        for (const mechanism::Freedom& freedom : joint.built) {
+        for (const mechanism::Freedom& freedom : freedomsOf(joint, set)) {
             if (freedom.kind == mechanism::FreedomKind::Slide) {
                 gap -= gap.dot(freedom.direction) * freedom.direction;
             }

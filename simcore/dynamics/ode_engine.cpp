@@ -43,6 +43,8 @@ class OdeEngine final : public Engine {
 
     const std::vector<Vec3>& contactForces() const override { return contactForces_; }
 
+    const std::vector<JointReaction>& jointReactions() const override { return jointReactions_; }
+
     std::vector<double> saveState() const override;
     void restoreState(std::span<const double> state) override;
 
@@ -70,6 +72,7 @@ class OdeEngine final : public Engine {
     std::vector<BodyVelocity> velocities_;
     std::vector<Vec3> contactForces_;
     std::vector<Vec3> contactVelocities_;
+    std::vector<JointReaction> jointReactions_;
     EngineCounters counters_;
 };
 
@@ -81,7 +84,7 @@ OdeEngine::OdeEngine(const mechanism::Mechanism& mechanism, const EngineSettings
     }
     dWorldSetGravity(world_.world(), 0.0, 0.0, -settings.gravity);
     makeBodies();
-    joints_ = std::make_unique<OdeJoints>(world_.world(), mechanism_, bodies_);
+    joints_ = std::make_unique<OdeJoints>(world_.world(), mechanism_, settings.joints, bodies_);
     reset();
 }
 
@@ -101,6 +104,9 @@ void OdeEngine::makeBodies() {
         dBodySetMass(id, &mass);
         dBodySetPosition(id, body.com.x(), body.com.y(), body.com.z());
         dBodySetGyroscopicMode(id, 1);
+        if (body.fixed) {
+            dBodySetKinematic(id);
+        }
         bodies_.push_back(id);
     }
 }
@@ -115,6 +121,7 @@ void OdeEngine::reset() {
     }
     bounds_.clear();
     contactForces_.clear();
+    jointReactions_.clear();
     counters_ = {};
     updatePoses();
 }
@@ -220,7 +227,7 @@ void OdeEngine::makeContacts(const StepInput& input) {
         c.surface.slip1 = c.surface.slip2 = kFrictionCompliance;
         if (box.fromNormalForce) {
             c.surface.mode |= dContactApprox1;
-            c.surface.mu = c.surface.mu2 = input.friction;
+            c.surface.mu = c.surface.mu2 = input.frictions[i];
         } else {
             c.surface.mu = box.along;
             c.surface.mu2 = box.across;
@@ -254,14 +261,15 @@ void OdeEngine::readContacts(const StepInput& input) {
 
 void OdeEngine::step(const StepInput& input) {
     const long messagesBefore = odeMessagesOnThisThread();
-    bounds_.begin(input.contacts, input.friction);
+    bounds_.begin(input.contacts, input.frictions);
+    const OdeSolve solve{world_.world(), world_.contactGroup(), settings_.step, mechanism_, poses_};
     for (int pass = 1;; ++pass) {
         // Every pass, and so every step, starts from the stored state: that makes passes repeatable
         // and a restored run continue bit for bit.
         loadState(state_);
         applyForces(input);
         makeContacts(input);
-        joints_->addStepJoints(world_.world(), world_.contactGroup(), settings_.step);
+        joints_->prepare(solve, input.motors);
         dWorldStep(world_.world(), settings_.step);
         readContacts(input);
         dJointGroupEmpty(world_.contactGroup());
@@ -272,6 +280,7 @@ void OdeEngine::step(const StepInput& input) {
         }
     }
     bounds_.end(input.contacts, contactForces_);
+    joints_->readReactions(solve, jointReactions_);
     readState();
     updatePoses();
     ++counters_.steps;

@@ -1,26 +1,22 @@
 #include "simcore/dynamics/ode_joints.h"
 
 #include <cmath>
-#include <numbers>
-#include <optional>
 
-#include <fmt/format.h>
-
-#include "simcore/dynamics/engine.h"
 #include "simcore/dynamics/ode_world.h"
+#include "simcore/mobility/constraint_jacobian.h"
 
 namespace simcore::dynamics {
 namespace {
 
 /// Soft, as contacts: a stop overrun in one step would else throw its arm back.
 constexpr double kStopErrorReduction = 0.2;
+/// Compliance that takes all force out of a contact's unwanted normal row.
+constexpr double kNoForce = 1e3;
+constexpr double kParallel = 1.0 - 1e-9;
 
 using mechanism::Freedom;
 using mechanism::FreedomKind;
 using mechanism::Joint;
-
-/// Joint types of ODE that hold exactly what a list of freedoms holds.
-enum class OdeType { Pin, Ball, Universal, Slider, Cylindrical };
 
 std::vector<Vec3> directions(const std::vector<Freedom>& freedoms, FreedomKind kind) {
     std::vector<Vec3> found;
@@ -32,190 +28,214 @@ std::vector<Vec3> directions(const std::vector<Freedom>& freedoms, FreedomKind k
     return found;
 }
 
-std::optional<OdeType> odeTypeOf(const std::vector<Freedom>& freedoms) {
-    const auto turns = directions(freedoms, FreedomKind::Turn);
-    const auto slides = directions(freedoms, FreedomKind::Slide);
-    constexpr double kParallel = 1.0 - 1e-9;
-    if (turns.size() == 1 && slides.empty()) {
-        return OdeType::Pin;
-    }
-    if (turns.size() == 3 && slides.empty()) {
-        return OdeType::Ball;
-    }
-    if (turns.size() == 2 && slides.empty() && std::abs(turns[0].dot(turns[1])) < 1e-9) {
-        return OdeType::Universal;
-    }
-    if (turns.empty() && slides.size() == 1) {
-        return OdeType::Slider;
-    }
-    if (turns.size() == 1 && slides.size() == 1 && std::abs(turns[0].dot(slides[0])) > kParallel) {
-        return OdeType::Cylindrical;
-    }
-    return std::nullopt;
+bool parallel(const Vec3& a, const Vec3& b) {
+    return std::abs(a.dot(b)) > kParallel;
 }
 
-void makeJoint(dWorldID world, const Joint& joint, dBodyID first, dBodyID second) {
-    const Vec3& p = joint.point;
-    switch (*odeTypeOf(joint.built)) {
-        case OdeType::Pin: {
-            const Vec3& a = joint.built[0].direction;
-            const dJointID id = dJointCreateHinge(world, nullptr);
-            // Second body first: ODE measures the turn of its first body against its second.
-            dJointAttach(id, second, first);
-            dJointSetHingeAnchor(id, p.x(), p.y(), p.z());
-            dJointSetHingeAxis(id, a.x(), a.y(), a.z());
-            if (joint.stops) {
-                const double sign = a.dot(joint.axis) < 0.0 ? -1.0 : 1.0;
-                const double low = sign > 0 ? joint.stops->first : -joint.stops->second;
-                const double high = sign > 0 ? joint.stops->second : -joint.stops->first;
-                dJointSetHingeParam(id, dParamStopERP, kStopErrorReduction);
-                // Twice: ODE refuses a lower stop above the present upper one.
-                dJointSetHingeParam(id, dParamLoStop, low);
-                dJointSetHingeParam(id, dParamHiStop, high);
-                dJointSetHingeParam(id, dParamLoStop, low);
-            }
-            break;
-        }
-        case OdeType::Ball: {
-            const dJointID id = dJointCreateBall(world, nullptr);
-            dJointAttach(id, first, second);
-            dJointSetBallAnchor(id, p.x(), p.y(), p.z());
-            break;
-        }
-        case OdeType::Universal: {
-            const auto turns = directions(joint.built, FreedomKind::Turn);
-            const dJointID id = dJointCreateUniversal(world, nullptr);
-            dJointAttach(id, first, second);
-            dJointSetUniversalAnchor(id, p.x(), p.y(), p.z());
-            dJointSetUniversalAxis2(id, turns[1].x(), turns[1].y(), turns[1].z());
-            dJointSetUniversalAxis1(id, turns[0].x(), turns[0].y(), turns[0].z());
-            break;
-        }
-        case OdeType::Slider: {
-            const Vec3& a = joint.built[0].direction;
-            const dJointID id = dJointCreateSlider(world, nullptr);
-            dJointAttach(id, first, second);
-            dJointSetSliderAxis(id, a.x(), a.y(), a.z());
-            break;
-        }
-        case OdeType::Cylindrical: {
-            const Vec3& a = joint.built[0].direction;
-            const dJointID id = dJointCreatePiston(world, nullptr);
-            dJointAttach(id, first, second);
-            dJointSetPistonAnchor(id, p.x(), p.y(), p.z());
-            dJointSetPistonAxis(id, a.x(), a.y(), a.z());
-            break;
-        }
+void set(dReal* to, const Vec3& from) {
+    for (int k = 0; k < 3; ++k) {
+        to[k] = from[k];
     }
 }
 
-/// The body that both pins of a gear turn against; -1 when there is none.
-int carrierOf(const mechanism::Mechanism& mechanism, const mechanism::Gear& gear) {
-    const Joint& a = mechanism.joints[static_cast<std::size_t>(gear.firstJoint)];
-    const Joint& b = mechanism.joints[static_cast<std::size_t>(gear.secondJoint)];
-    if (a.first == b.first || a.first == b.second) {
-        return a.first;
-    }
-    return a.second == b.first || a.second == b.second ? a.second : -1;
+/// Rotation vector that takes the first body's frame to the second's, in the first.
+Vec3 relativeTurn(const Pose& first, const Pose& second) {
+    const Eigen::AngleAxisd turn(first.rotation.conjugate() * second.rotation);
+    return turn.angle() * turn.axis();
 }
-
-// The spider must not be felt: a gram, and the inertia of a gram at the mesh radius.
-constexpr double kSpiderMass = 1e-3;
-constexpr double kMeshRadius = 0.1;
-// Compliance that takes all force out of a mesh's unwanted normal row.
-constexpr double kNoForce = 1e3;
-// Share of the gear error corrected per step.
-constexpr double kErrorReduction = 0.2;
 
 }  // namespace
 
-OdeGear::OdeGear(dWorldID world, const mechanism::Mechanism& mechanism, const mechanism::Gear& gear,
-                 const std::vector<dBodyID>& bodies) {
-    const int carrier = carrierOf(mechanism, gear);
-    carrier_ = bodies[static_cast<std::size_t>(carrier)];
-    carrierCom_ = mechanism.bodies[static_cast<std::size_t>(carrier)].com;
-    const Joint& first = mechanism.joints[static_cast<std::size_t>(gear.firstJoint)];
-    const Joint& second = mechanism.joints[static_cast<std::size_t>(gear.secondJoint)];
-    pinAxis_ = first.axis;
-    center_ = 0.5 * (first.point + second.point);
-    spiderAxis_ = (std::abs(pinAxis_.z()) < 0.9 ? pinAxis_.cross(Vec3::UnitZ())
-                                                : pinAxis_.cross(Vec3::UnitX()))
-                      .normalized();
-    tooth_ = pinAxis_.cross(spiderAxis_);
-    // A pinned body turning by w moves the mesh by w r along the tooth, the spider turning by g by
-    // -g c, where c is the mesh's place along the pin axis: g = -w r / c. The first mesh has
-    // c = -r, so the spider turns as the first body does.
-    double firstSign = 1.0;
-    for (const Joint* joint : {&first, &second}) {
-        const bool isFirst = joint == &first;
-        const double carrierSign = joint->first == carrier ? 1.0 : -1.0;
-        const double along = joint->axis.dot(pinAxis_) > 0.0 ? 1.0 : -1.0;
-        if (isFirst) {
-            firstSign = carrierSign;
-        }
-        const double arm =
-            isFirst ? -kMeshRadius : -along * kMeshRadius * carrierSign * firstSign * gear.ratio;
-        Vec3 point = joint->point + kMeshRadius * spiderAxis_;
-        point += (arm - (point - center_).dot(pinAxis_)) * pinAxis_;
-        const int pinned = joint->first == carrier ? joint->second : joint->first;
-        meshes_.push_back(
-            {bodies[static_cast<std::size_t>(pinned)], arm, -kMeshRadius / arm, point});
-    }
-    dMass mass;
-    const double inertia = kSpiderMass * kMeshRadius * kMeshRadius;
-    dMassSetParameters(&mass, kSpiderMass, 0, 0, 0, inertia, inertia, inertia, 0, 0, 0);
-    spider_ = dBodyCreate(world);
-    dBodySetMass(spider_, &mass);
-    dBodySetPosition(spider_, center_.x(), center_.y(), center_.z());
-    dBodySetGravityMode(spider_, 0);
-    const dJointID pin = dJointCreateHinge(world, nullptr);
-    dJointAttach(pin, spider_, carrier_);
-    dJointSetHingeAnchor(pin, center_.x(), center_.y(), center_.z());
-    dJointSetHingeAxis(pin, spiderAxis_.x(), spiderAxis_.y(), spiderAxis_.z());
+// ODE measures the first body of a joint against its second: all are attached the other way round.
+dJointID OdeJoint::add(Part& part, dJointID id) {
+    dJointAttach(id, second_, first_);
+    dJointSetFeedback(id, &part.feedback);
+    part.id = id;
+    return id;
 }
 
-void OdeGear::addMeshes(dWorldID world, dJointGroupID group, double step) const {
-    const auto rotationOf = [](dBodyID body) {
-        const dReal* q = dBodyGetQuaternion(body);
-        return Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
-    };
-    const auto turnAbout = [&](dBodyID body, const Vec3& axis) {
-        const Eigen::Quaterniond relative = rotationOf(carrier_).conjugate() * rotationOf(body);
-        return std::remainder(2.0 * std::atan2(axis.dot(relative.vec()), relative.w()),
-                              2.0 * std::numbers::pi);
-    };
-    const Eigen::Quaterniond R = rotationOf(carrier_);
-    const Vec3 origin = toVec3(dBodyGetPosition(carrier_)) - R * carrierCom_;
-    const double spiderTurn = turnAbout(spider_, spiderAxis_);
-    for (const Mesh& mesh : meshes_) {
-        const Vec3 point = origin + R * mesh.point;
-        const Vec3 tooth = R * tooth_;
-        const Vec3 normal = R * spiderAxis_;
-        const double error = std::remainder(
-            mesh.turnSign * turnAbout(mesh.pinned, pinAxis_) - spiderTurn, 2.0 * std::numbers::pi);
-        dContact c{};
-        c.surface.mode = dContactMu2 | dContactFDir1 | dContactSoftCFM | dContactMotion1;
-        c.surface.mu = dInfinity;
-        c.surface.mu2 = 0.0;
-        c.surface.soft_cfm = kNoForce;
-        // The row asks for pinned minus spider speed along the tooth; the error shrinks with it.
-        c.surface.motion1 = kErrorReduction / step * mesh.spiderArm * error;
-        for (int k = 0; k < 3; ++k) {
-            c.geom.pos[k] = point[k];
-            c.geom.normal[k] = normal[k];
-            c.fdir1[k] = tooth[k];
+OdeJoint::OdeJoint(dWorldID world, const Joint& joint, const std::vector<Freedom>& freedoms,
+                   dBodyID first, dBodyID second)
+    : joint_(joint),
+      first_(first),
+      second_(second),
+      turns_(directions(freedoms, FreedomKind::Turn)) {
+    const std::vector<Vec3> slides = directions(freedoms, FreedomKind::Slide);
+    const Vec3& p = joint.point;
+    native_ = true;
+    if (slides.empty() && turns_.size() == 1) {
+        isPin_ = parallel(turns_[0], joint.axis);
+        pinSign_ = turns_[0].dot(joint.axis) < 0.0 ? -1.0 : 1.0;
+        const dJointID id = add(main_, dJointCreateHinge(world, nullptr));
+        dJointSetHingeAnchor(id, p.x(), p.y(), p.z());
+        dJointSetHingeAxis(id, turns_[0].x(), turns_[0].y(), turns_[0].z());
+        dJointSetHingeParam(id, dParamStopERP, kStopErrorReduction);
+    } else if (slides.empty() && turns_.size() == 2 && std::abs(turns_[0].dot(turns_[1])) < 1e-9) {
+        const dJointID id = add(main_, dJointCreateUniversal(world, nullptr));
+        dJointSetUniversalAnchor(id, p.x(), p.y(), p.z());
+        dJointSetUniversalAxis2(id, turns_[0].x(), turns_[0].y(), turns_[0].z());
+        dJointSetUniversalAxis1(id, turns_[1].x(), turns_[1].y(), turns_[1].z());
+    } else if (slides.size() == 1 && turns_.empty()) {
+        const dJointID id = add(main_, dJointCreateSlider(world, nullptr));
+        dJointSetSliderAxis(id, slides[0].x(), slides[0].y(), slides[0].z());
+    } else if (slides.size() == 1 && turns_.size() == 1 && parallel(turns_[0], slides[0])) {
+        const dJointID id = add(main_, dJointCreatePiston(world, nullptr));
+        dJointSetPistonAnchor(id, p.x(), p.y(), p.z());
+        dJointSetPistonAxis(id, slides[0].x(), slides[0].y(), slides[0].z());
+    } else {
+        native_ = false;
+        heldSlides_ = mobility::orthogonalComplement(slides);
+        if (slides.empty()) {
+            const dJointID id = add(main_, dJointCreateBall(world, nullptr));
+            dJointSetBallAnchor(id, p.x(), p.y(), p.z());
+        } else {
+            freeSlide_ = slides[0];
         }
-        const dJointID joint = dJointCreateContact(world, group, &c);
-        dJointAttach(joint, mesh.pinned, spider_);
+        if (turns_.size() < 3) {
+            const dJointID id = add(rotations_, dJointCreateAMotor(world, nullptr));
+            dJointSetAMotorMode(id, dAMotorUser);
+        }
     }
 }
 
-OdeJoints::OdeJoints(dWorldID world, const mechanism::Mechanism& mechanism,
+/// The friction rows of a contact, unbounded, as holds along one or two directions.
+void OdeJoint::holdTranslations(const OdeSolve& solve) {
+    if (heldSlides_.empty() || heldSlides_.size() == 3) {
+        return;
+    }
+    const Pose& first = solve.poses[static_cast<std::size_t>(joint_.first)];
+    const Pose& second = solve.poses[static_cast<std::size_t>(joint_.second)];
+    const Vec3 point = second * joint_.point;
+    const Vec3 error = first.rotation.conjugate() * (point - first * joint_.point);
+    const double rate = -kJointErrorReduction / solve.step;
+    dContact c{};
+    c.surface.mode =
+        dContactMu2 | dContactFDir1 | dContactSoftCFM | dContactMotion1 | dContactMotion2;
+    c.surface.mu = dInfinity;
+    c.surface.soft_cfm = kNoForce;
+    // ODE takes normal x fdir1 as the second friction direction.
+    const Vec3& along = heldSlides_[0];
+    Vec3 normal = freeSlide_ - freeSlide_.dot(along) * along;
+    if (heldSlides_.size() == 2) {
+        normal = along.cross(heldSlides_[1]);
+    }
+    normal.normalize();
+    c.surface.motion1 = rate * error.dot(along);
+    if (heldSlides_.size() == 2) {
+        c.surface.mu2 = dInfinity;
+        c.surface.motion2 = rate * error.dot(normal.cross(along));
+    }
+    set(c.geom.pos, point);
+    set(c.geom.normal, first.rotation * normal);
+    set(c.fdir1, first.rotation * along);
+    add(main_, dJointCreateContact(solve.world, solve.group, &c));
+}
+
+void OdeJoint::holdRotations(const OdeSolve& solve) {
+    if (native_ || turns_.size() == 3) {
+        return;
+    }
+    const Pose& first = solve.poses[static_cast<std::size_t>(joint_.first)];
+    const Pose& second = solve.poses[static_cast<std::size_t>(joint_.second)];
+    std::vector<Vec3> axes;  // world, with the error about each
+    std::vector<double> errors;
+    if (turns_.size() == 2) {
+        // The first free axis belongs to the first body, the second one to the second: their
+        // angle stays.
+        const Vec3 a = first.rotation * turns_[0];
+        const Vec3 b = second.rotation * turns_[1];
+        const Vec3 across = a.cross(b);
+        axes.push_back(across.normalized());
+        errors.push_back((turns_[0].dot(turns_[1]) - a.dot(b)) / across.norm());
+    } else {
+        const Vec3 error =
+            turns_.empty()
+                ? relativeTurn(first, second)
+                : turns_[0].cross(first.rotation.conjugate() * (second.rotation * turns_[0]));
+        for (const Vec3& held : mobility::orthogonalComplement(turns_)) {
+            axes.emplace_back(first.rotation * held);
+            errors.push_back(error.dot(held));
+        }
+    }
+    constexpr int kVelocity[] = {dParamVel1, dParamVel2, dParamVel3};
+    constexpr int kTorque[] = {dParamFMax1, dParamFMax2, dParamFMax3};
+    dJointSetAMotorNumAxes(rotations_.id, static_cast<int>(axes.size()));
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        dJointSetAMotorAxis(rotations_.id, static_cast<int>(i), 0, axes[i].x(), axes[i].y(),
+                            axes[i].z());
+        dJointSetAMotorParam(rotations_.id, kTorque[i], dInfinity);
+        dJointSetAMotorParam(rotations_.id, kVelocity[i],
+                             -kJointErrorReduction / solve.step * errors[i]);
+    }
+}
+
+/// Of pins by ODE's own joint, of others by a motor about the axis, which stays in the first body.
+void OdeJoint::setStopsAndMotor(const OdeSolve& solve, const JointMotor* motor) {
+    if (!joint_.stops && motor == nullptr && axis_.id == nullptr && !isPin_) {
+        return;
+    }
+    if (!isPin_ && axis_.id == nullptr) {
+        const dJointID id = add(axis_, dJointCreateAMotor(solve.world, nullptr));
+        dJointSetAMotorMode(id, dAMotorUser);
+        dJointSetAMotorNumAxes(id, 1);
+        dJointSetAMotorParam(id, dParamStopERP, kStopErrorReduction);
+    }
+    const double sign = isPin_ ? pinSign_ : 1.0;
+    const auto setParam = [&](int parameter, double value) {
+        if (isPin_) {
+            dJointSetHingeParam(main_.id, parameter, value);
+        } else {
+            dJointSetAMotorParam(axis_.id, parameter, value);
+        }
+    };
+    if (!isPin_) {
+        const Vec3 axis =
+            solve.poses[static_cast<std::size_t>(joint_.first)].rotation * joint_.axis;
+        dJointSetAMotorAxis(axis_.id, 0, 0, axis.x(), axis.y(), axis.z());
+        dJointSetAMotorAngle(axis_.id, 0, jointAngle(joint_, solve.poses));
+    }
+    if (joint_.stops) {
+        const double low = sign > 0 ? joint_.stops->first : -joint_.stops->second;
+        const double high = sign > 0 ? joint_.stops->second : -joint_.stops->first;
+        // Twice: ODE refuses a lower stop above the present upper one.
+        setParam(dParamLoStop, low);
+        setParam(dParamHiStop, high);
+        setParam(dParamLoStop, low);
+    }
+    setParam(dParamVel, motor != nullptr ? sign * motor->rate : 0.0);
+    setParam(dParamFMax, motor != nullptr ? motor->torqueLimit : 0.0);
+}
+
+void OdeJoint::prepare(const OdeSolve& solve, const JointMotor* motor) {
+    holdTranslations(solve);
+    holdRotations(solve);
+    setStopsAndMotor(solve, motor);
+}
+
+JointReaction OdeJoint::reaction(const OdeSolve& solve) const {
+    const auto second = static_cast<std::size_t>(joint_.second);
+    const Pose& pose = solve.poses[second];
+    JointReaction sum;
+    for (const Part* part : {&main_, &rotations_, &axis_}) {
+        if (part->id != nullptr) {
+            sum.force += toVec3(part->feedback.f1);
+            sum.torque += toVec3(part->feedback.t1);
+        }
+    }
+    // ODE's torque is about the body's centre of mass.
+    const Vec3 arm = pose.rotation * (joint_.point - solve.mechanism.bodies[second].com);
+    sum.torque -= arm.cross(sum.force);
+    return sum;
+}
+
+OdeJoints::OdeJoints(dWorldID world, const mechanism::Mechanism& mechanism, JointSet set,
                      const std::vector<dBodyID>& bodies)
-    : allBodies_(bodies) {
+    : allBodies_(bodies),
+      motorOf_(mechanism.joints.size(), nullptr) {
     for (const Joint& joint : mechanism.joints) {
-        makeJoint(world, joint, bodies[static_cast<std::size_t>(joint.first)],
-                  bodies[static_cast<std::size_t>(joint.second)]);
+        joints_.emplace_back(world, joint, freedomsOf(joint, set),
+                             bodies[static_cast<std::size_t>(joint.first)],
+                             bodies[static_cast<std::size_t>(joint.second)]);
     }
     for (const mechanism::Gear& gear : mechanism.gears) {
         gears_.emplace_back(world, mechanism, gear, bodies);
@@ -224,28 +244,32 @@ OdeJoints::OdeJoints(dWorldID world, const mechanism::Mechanism& mechanism,
     }
 }
 
-void OdeJoints::addStepJoints(dWorldID world, dJointGroupID group, double step) const {
+void OdeJoints::prepare(const OdeSolve& solve, std::span<const JointMotor> motors) {
+    motorOf_.assign(joints_.size(), nullptr);
+    for (const JointMotor& motor : motors) {
+        motorOf_[static_cast<std::size_t>(motor.joint)] = &motor;
+    }
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        joints_[i].prepare(solve, motorOf_[i]);
+    }
     for (const OdeGear& gear : gears_) {
-        gear.addMeshes(world, group, step);
+        gear.addMeshes(solve.world, solve.group, solve.step);
+    }
+}
+
+void OdeJoints::readReactions(const OdeSolve& solve, std::vector<JointReaction>& reactions) const {
+    reactions.resize(joints_.size());
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        reactions[i] = joints_[i].reaction(solve);
     }
 }
 
 Problems whyOdeCannotRun(const mechanism::Mechanism& mechanism) {
     Problems problems;
-    for (const Joint& joint : mechanism.joints) {
-        if (!odeTypeOf(joint.built)) {
-            problems.push_back(
-                {Severity::Critical, "joint " + joint.name,
-                 "the ODE engine has no joint with these free directions.",
-                 "Use a pin, ball, universal, slider or cylindrical joint as built."});
-        }
-    }
     for (const mechanism::Gear& gear : mechanism.gears) {
-        const Joint& a = mechanism.joints[static_cast<std::size_t>(gear.firstJoint)];
-        const Joint& b = mechanism.joints[static_cast<std::size_t>(gear.secondJoint)];
-        if (carrierOf(mechanism, gear) < 0 || std::abs(a.axis.dot(b.axis)) < 1.0 - 1e-9) {
+        if (carrierOf(mechanism, gear) < 0) {
             problems.push_back({Severity::Critical, "gear " + gear.name,
-                                "its two pins do not turn in one common body about parallel axes.",
+                                "its two pins do not turn in one common body.",
                                 "Connect pins of the same carrier."});
         }
     }

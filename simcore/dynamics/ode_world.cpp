@@ -32,11 +32,9 @@ class ThreadData {
     ThreadData& operator=(const ThreadData&) = delete;
 };
 
-// Solver settings (docs/engines.md). A joint's error is corrected in the next step: what a fast
-// swinging link drifts in one step (w^2 r h^2 / 2) would else add up over several. The compliance
-// makes the joints of hyperstatic mechanisms slightly elastic (1.25 N per nm at 2 ms): much
-// stiffer, and round-off alone strains them enough to make wheels slide sideways.
-constexpr double kErrorReduction = 1.0;
+// Solver settings (docs/engines.md). The compliance makes the joints of hyperstatic mechanisms
+// slightly elastic (1.25 N per nm at 2 ms): much stiffer, and round-off alone strains them enough
+// to make wheels slide sideways.
 constexpr double kCompliance = 4e-7;
 // Depth of a resting contact [m]: without it contacts are made and lost at every other step.
 constexpr double kSurfaceLayer = 0.0005;
@@ -60,7 +58,7 @@ OdeWorld::OdeWorld() {
     dWorldSetStepThreadingImplementation(world_, dThreadingImplementationGetFunctions(threading_),
                                          threading_);
     contactGroup_ = dJointGroupCreate(0);
-    dWorldSetERP(world_, kErrorReduction);
+    dWorldSetERP(world_, kJointErrorReduction);
     dWorldSetCFM(world_, kCompliance);
     dWorldSetContactSurfaceLayer(world_, kSurfaceLayer);
     // A sleeping rover would read as one without slip.

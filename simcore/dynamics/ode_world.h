@@ -14,6 +14,10 @@ void useOdeOnThisThread();
 /// Complaints ("LCP internal error") of ODE on this thread so far.
 long odeMessagesOnThisThread();
 
+/// Share of a joint's error that is corrected in the next step (docs/engines.md): what a fast
+/// swinging link drifts in one step (w^2 r h^2 / 2) would else add up over several.
+inline constexpr double kJointErrorReduction = 1.0;
+
 inline Vec3 toVec3(const dReal* v) {
     return {v[0], v[1], v[2]};
 }

@@ -59,6 +59,8 @@ struct Simulation::Impl {
     double endTime() const;
     std::string hashText() const;
 
+    double brakeTorque(const mechanism::Wheel& wheel) const;
+
     bool manual() const { return run.controller == project::ControllerKind::Manual; }
 
     ResolvedRun run;
@@ -77,6 +79,8 @@ struct Simulation::Impl {
     std::vector<double> resistances;
     std::vector<Pose> before;
     std::vector<contact::Contact> contacts;
+    std::vector<double> frictions;
+    std::vector<dynamics::JointMotor> motors;
     long controlTicks = 0;
 
     StateHash hash;  ///< of the states that steps started from
@@ -162,6 +166,7 @@ void Simulation::Impl::control() {
 }
 
 void Simulation::Impl::applyDrives() {
+    motors.clear();
     for (std::size_t i = 0; i < drives.size(); ++i) {
         const mechanism::Wheel& wheel = run.mechanism.wheels[i];
         const auto body = static_cast<std::size_t>(wheel.body);
@@ -171,6 +176,9 @@ void Simulation::Impl::applyDrives() {
             absolute -
             axis.dot(engine->velocities()[static_cast<std::size_t>(wheel.carrier)].angular);
         torques[i] = drives[i].torque(commands[i], relative, run.step);
+        if (commands[i].mode == control::WheelMode::Lock) {
+            motors.push_back({wheel.axle, 0.0, commands[i].torqueCap});
+        }
         // Rolling resistance, moment = c N R against the absolute turn (paper, section 4), with the
         // load of the last step.
         resistances[i] = -run.rollingResistance * now.wheels[i].normalForce * wheel.radius *
@@ -192,7 +200,8 @@ void Simulation::Impl::step() {
     before = engine->poses();
     contacts = contactFinder.find(before);
     const std::vector<double> lastGood = engine->saveState();
-    engine->step({torques, resistances, contacts, run.friction});
+    frictions.assign(contacts.size(), run.friction);
+    engine->step({torques, resistances, contacts, frictions, motors});
     if (std::string body = blownUpBody(); !body.empty()) {
         engine->restoreState(lastGood);
         reason = StopReason::NonFinite;
@@ -206,6 +215,14 @@ void Simulation::Impl::step() {
         checkEnd();
     }
     wallTime += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// With which the lock of an axle turns its wheel [N m].
+double Simulation::Impl::brakeTorque(const mechanism::Wheel& wheel) const {
+    const auto axle = static_cast<std::size_t>(wheel.axle);
+    const double sign = run.mechanism.joints[axle].second == wheel.body ? 1.0 : -1.0;
+    const Vec3 axis = before[static_cast<std::size_t>(wheel.body)].rotation * wheel.axis;
+    return sign * axis.dot(engine->jointReactions()[axle].torque);
 }
 
 std::string Simulation::Impl::blownUpBody() const {
@@ -252,7 +269,10 @@ void Simulation::Impl::measure() {
         }
     }
     for (std::size_t i = 0; i < wheels.size(); ++i) {
-        const WheelState& state = now.wheels[i];
+        WheelState& state = now.wheels[i];
+        if (commands[i].mode == control::WheelMode::Lock) {
+            state.torqueApplied = brakeTorque(run.mechanism.wheels[i]);
+        }
         wheels[i].slipAbs = state.slipAbs;
         wheels[i].slipSigned = state.slipSigned;
         wheels[i].slipLateral = state.slipLateral;

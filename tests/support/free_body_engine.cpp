@@ -77,7 +77,8 @@ class FreeBodyEngine final : public Engine {
                 state_[i].spin += torques[i] * h;
             }
             for (std::size_t k = 0; k < input.contacts.size(); ++k) {
-                const Vec3 force = push(input.contacts[k], arms[k], input.friction, h, depths[k]);
+                const Vec3 force =
+                    push(input.contacts[k], arms[k], input.frictions[k], h, depths[k]);
                 State& state = state_[bodyOf(input.contacts[k])];
                 state.momentum += force * h;
                 state.spin += arms[k].cross(force) * h;
@@ -97,6 +98,8 @@ class FreeBodyEngine final : public Engine {
     const std::vector<BodyVelocity>& velocities() const override { return velocities_; }
 
     const std::vector<Vec3>& contactForces() const override { return contactForces_; }
+
+    const std::vector<JointReaction>& jointReactions() const override { return noReactions_; }
 
     std::vector<double> saveState() const override {
         std::vector<double> numbers;
@@ -178,6 +181,7 @@ class FreeBodyEngine final : public Engine {
     std::vector<Pose> poses_;
     std::vector<BodyVelocity> velocities_;
     std::vector<Vec3> contactForces_;
+    std::vector<JointReaction> noReactions_;
     EngineCounters counters_;
 };
 

@@ -23,6 +23,10 @@ class PosedEngine final : public simcore::dynamics::Engine {
 
     const std::vector<simcore::Vec3>& contactForces() const override { return forces; }
 
+    const std::vector<simcore::dynamics::JointReaction>& jointReactions() const override {
+        return reactions;
+    }
+
     std::vector<double> saveState() const override { return {}; }
 
     void restoreState(std::span<const double> /*state*/) override {}
@@ -32,6 +36,7 @@ class PosedEngine final : public simcore::dynamics::Engine {
     std::vector<simcore::Pose> bodyPoses;
     std::vector<simcore::dynamics::BodyVelocity> bodyVelocities;
     std::vector<simcore::Vec3> forces;
+    std::vector<simcore::dynamics::JointReaction> reactions;
 
   private:
     simcore::dynamics::EngineCounters counters_;

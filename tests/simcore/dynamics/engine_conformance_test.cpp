@@ -75,7 +75,8 @@ class World {
         if (finder_) {
             contacts_ = finder_->find(engine_->poses());
         }
-        engine_->step({drive, external, contacts_, friction_});
+        frictions_.assign(contacts_.size(), friction_);
+        engine_->step({drive, external, contacts_, frictions_});
     }
 
     void run(double seconds) {
@@ -139,6 +140,7 @@ class World {
     std::unique_ptr<contact::WheelContactFinder> finder_;
     std::vector<contact::Contact> contacts_;
     double friction_ = 0.7;
+    std::vector<double> frictions_;
 
   public:
     std::vector<double> drive;

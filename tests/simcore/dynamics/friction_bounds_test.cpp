@@ -27,7 +27,7 @@ contact::Contact floorContact(int wheel = 0, int slice = 0, const Vec3& point = 
 /// Remembers one step in which the contact carried this force.
 FrictionBounds after(const contact::Contact& contact, const Vec3& force) {
     FrictionBounds bounds;
-    bounds.begin({&contact, 1}, kMu);
+    bounds.begin({&contact, 1}, {&kMu, 1});
     bounds.end({&contact, 1}, {&force, 1});
     return bounds;
 }
@@ -38,7 +38,7 @@ FrictionBounds after(const contact::Contact& contact, const Vec3& force) {
 TEST(FrictionBoundsTest, NewContactIsGuessed) {
     FrictionBounds bounds;
     const contact::Contact contact = floorContact();
-    bounds.begin({&contact, 1}, kMu);
+    bounds.begin({&contact, 1}, {&kMu, 1});
     EXPECT_TRUE(bounds.box(0).fromNormalForce);
     EXPECT_EQ(bounds.box(0).direction, contact.forward);
 }
@@ -50,7 +50,7 @@ TEST(FrictionBoundsTest, KnownContactStartsFromItsLastForce) {
     FrictionBounds bounds = after(contact, {3.0, 4.0, 20.0});
     contact::Contact moved = contact;
     moved.point.x() += 0.02;
-    bounds.begin({&moved, 1}, kMu);
+    bounds.begin({&moved, 1}, {&kMu, 1});
     EXPECT_FALSE(bounds.box(0).fromNormalForce);
     EXPECT_DOUBLE_EQ(bounds.box(0).along, kMu * 20.0);
     EXPECT_LT((bounds.box(0).direction - Vec3(0.6, 0.8, 0.0)).norm(), 1e-12);
@@ -61,7 +61,7 @@ TEST(FrictionBoundsTest, OtherContactsAreNotMistakenForKnownOnes) {
     FrictionBounds bounds = after(floorContact(1, 0), {0.0, 0.0, 20.0});
     for (const contact::Contact& other :
          {floorContact(0, 0), floorContact(1, 1), floorContact(1, 0, {0.04, 0.0, 0.0})}) {
-        bounds.begin({&other, 1}, kMu);
+        bounds.begin({&other, 1}, {&kMu, 1});
         EXPECT_TRUE(bounds.box(0).fromNormalForce);
     }
 }
@@ -73,10 +73,10 @@ TEST(FrictionBoundsTest, NearestContactOfADiscIsRecalled) {
     contacts[1].forward = Vec3::UnitZ();
     const std::vector<Vec3> forces{{0.0, 0.0, 20.0}, {-6.0, 0.0, 0.0}};
     FrictionBounds bounds;
-    bounds.begin(contacts, kMu);
+    bounds.begin(contacts, std::vector<double>(contacts.size(), kMu));
     bounds.end(contacts, forces);
     std::swap(contacts[0], contacts[1]);
-    bounds.begin(contacts, kMu);
+    bounds.begin(contacts, std::vector<double>(contacts.size(), kMu));
     EXPECT_DOUBLE_EQ(bounds.box(0).along, kMu * 6.0);
     EXPECT_DOUBLE_EQ(bounds.box(1).along, kMu * 20.0);
 }
@@ -88,7 +88,7 @@ TEST(FrictionBoundsTest, AgreesWithForcesInTheConeOnly) {
     const Vec3 rest = Vec3::Zero();
     const auto agrees = [&](double lastNormal, const Vec3& force) {
         FrictionBounds bounds = after(contact, {0.0, 0.0, lastNormal});
-        bounds.begin({&contact, 1}, kMu);
+        bounds.begin({&contact, 1}, {&kMu, 1});
         return bounds.update({&contact, 1}, {&force, 1}, {&rest, 1});
     };
     EXPECT_TRUE(agrees(20.0, {5.0, 0.0, 20.0}));          // sticks
@@ -102,7 +102,7 @@ TEST(FrictionBoundsTest, AgreesWithForcesInTheConeOnly) {
 TEST(FrictionBoundsTest, BoxTurnsAgainstSliding) {
     const contact::Contact contact = floorContact();
     FrictionBounds bounds;
-    bounds.begin({&contact, 1}, kMu);
+    bounds.begin({&contact, 1}, {&kMu, 1});
     const Vec3 force(1.0, 0.0, 20.0);
     const Vec3 velocity(-0.3, 0.4, 0.05);
     (void)bounds.update({&contact, 1}, {&force, 1}, {&velocity, 1});
@@ -122,7 +122,7 @@ TEST(FrictionBoundsTest, FixedPointIsThatOfTheWedge) {
             FrictionBounds bounds = after(contact, {0.0, 0.0, lastNormal});
             double tangential = 0.0;
             for (int step = 0; step < 20; ++step) {
-                bounds.begin({&contact, 1}, kMu);
+                bounds.begin({&contact, 1}, {&kMu, 1});
                 Vec3 force;
                 for (int pass = 0; pass < 6; ++pass) {
                     tangential = bounds.box(0).along;  // it slides: friction is at its limit
@@ -170,7 +170,8 @@ class CornerTest : public ::testing::Test {
         const std::vector<double> external{torque};
         for (long i = std::lround(seconds / kStep); i > 0; --i) {
             contacts = finder.find(engine->poses());
-            engine->step({none, external, contacts, friction});
+            const std::vector<double> frictions(contacts.size(), friction);
+            engine->step({none, external, contacts, frictions});
         }
     }
 
@@ -254,7 +255,8 @@ TEST(SlidingTest, FrictionIsMuTimesTheNormalForce) {
     double last = 0.0;
     for (int i = 0; i < 200; ++i) {
         const auto& contacts = finder.find(engine->poses());
-        engine->step({none, i < 20 ? spin : none, contacts, 0.3});
+        const std::vector<double> frictions(contacts.size(), 0.3);
+        engine->step({none, i < 20 ? spin : none, contacts, frictions});
         Vec3 force = Vec3::Zero();  // of both discs: how they share what is lateral is open
         for (const Vec3& part : engine->contactForces()) {
             force += part;

@@ -159,11 +159,16 @@ TEST(OdeEngineTest, RestoredStateContinuesBitForBit) {
     EXPECT_EQ(other->saveState(), straight);
 }
 
-TEST(OdeEngineTest, RefusesWhatOdeHasNoJointFor) {
+// A gear needs a body that both its pins turn in.
+TEST(OdeEngineTest, RefusesAGearWithoutACarrier) {
     Mechanism mechanism = makeFourBar();
-    mechanism.joints[2].built.push_back({FreedomKind::Slide, Vec3::UnitX()});
+    Gear gear;
+    gear.name = "far";
+    gear.firstJoint = 0;   // chassis - crank
+    gear.secondJoint = 2;  // coupler - follower
+    mechanism.gears = {gear};
     const Problems problems = whyOdeCannotRun(mechanism);
     ASSERT_EQ(problems.size(), 1u);
-    EXPECT_EQ(problems[0].element, "joint c");
+    EXPECT_EQ(problems[0].element, "gear far");
     EXPECT_THROW((void)makeOdeEngine(mechanism, {}), std::invalid_argument);
 }

@@ -740,9 +740,9 @@ TEST(CheckProjectTest, NamesWhatKeepsAScenarioFromRunning) {
     ASSERT_EQ(terrain.size(), 1U) << toString(terrain);
     EXPECT_THAT(terrain[0].element, HasSubstr("scenario step, terrain step, height"));
 
-    project::Project wobbly = shipped("solero");
-    wobbly.rover.joints[0].free = {"turn axis", "slide x"};
-    EXPECT_THAT(toString(checkProject(wobbly)), HasSubstr("no joint with these free directions"));
+    project::Project far = shipped("solero");
+    far.rover.gears = {{"far", "bogie_left_front_axle", "bogie_right_front_axle", -1.0}};
+    EXPECT_THAT(toString(checkProject(far)), HasSubstr("do not turn in one common body"));
 }
 
 TEST(PrepareRunTest, RequestReplacesTheScenariosValues) {
