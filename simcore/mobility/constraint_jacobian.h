@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "simcore/mobility/mobility.h"
+#include "simcore/mobility/stance.h"
 
 namespace simcore::mobility {
 
@@ -13,11 +14,11 @@ namespace simcore::mobility {
 /// most easily do without.
 enum class Priority { ContactNormal, ContactRolling, Gear, JointSlide, JointTurn, ContactLateral };
 
-/// Velocity constraints J v = 0 of the mechanism on flat ground at its drawn pose.
+/// Velocity constraints J v = 0 of the mechanism at a stance.
 ///
-/// Six columns a body that is not fixed: velocity of the rover frame's origin on that body over the
-/// wheelbase L [1/s], then its angular velocity [rad/s]. Rows that hold a translation are divided
-/// by L, so that all entries are comparable.
+/// Six columns a body that is not fixed: velocity of the point of that body that is now at the
+/// chassis' origin, over the characteristic length L [1/s], then its angular velocity [rad/s]. Rows
+/// that hold a translation are divided by L, so that all entries are comparable.
 struct ConstraintJacobian {
     Eigen::MatrixXd matrix;             ///< rows x columns
     std::vector<ConstraintName> names;  ///< per row
@@ -25,7 +26,11 @@ struct ConstraintJacobian {
     std::vector<int> firstColumn;       ///< per body; -1 for one that is fixed
 };
 
+/// At the drawn pose on level ground.
 ConstraintJacobian constraintJacobian(const mechanism::Mechanism& mechanism, Model model);
+/// At any stance; throws std::invalid_argument when it does not fit the mechanism.
+ConstraintJacobian constraintJacobian(const mechanism::Mechanism& mechanism, Model model,
+                                      const Stance& stance);
 
 /// Orthonormal directions at right angles to all of `directions`, as close to the rover's axes as
 /// can be.

@@ -194,7 +194,8 @@ std::vector<IdleFreedom> findIdle(const mechanism::Mechanism& mechanism,
     return nameByBody(mechanism, jacobian, hiddenFrom(watched, jacobian, motions));
 }
 
-void countJoints(const mechanism::Mechanism& mechanism, Model model, Report& report) {
+void countJoints(const mechanism::Mechanism& mechanism, Model model, const Stance& stance,
+                 Report& report) {
     const auto count = [&](std::size_t freedoms) {
         ++report.joints;
         if (freedoms >= 1 && freedoms <= 5) {
@@ -204,7 +205,11 @@ void countJoints(const mechanism::Mechanism& mechanism, Model model, Report& rep
     for (const mechanism::Joint& joint : mechanism.joints) {
         count((model == Model::Built ? joint.built : joint.relaxed).size());
     }
-    for (const mechanism::Wheel& wheel : mechanism.wheels) {
+    for (std::size_t i = 0; i < mechanism.wheels.size(); ++i) {
+        if (!stance.wheels[i].touching) {
+            continue;
+        }
+        const mechanism::Wheel& wheel = mechanism.wheels[i];
         count(model == Model::Relaxed && wheel.relaxedLateral ? 4 : 3);
     }
     for (std::size_t i = 0; i < mechanism.gears.size(); ++i) {
@@ -215,11 +220,15 @@ void countJoints(const mechanism::Mechanism& mechanism, Model model, Report& rep
 }  // namespace
 
 Report analyse(const mechanism::Mechanism& mechanism, Model model) {
-    const ConstraintJacobian jacobian = constraintJacobian(mechanism, model);
+    return analyse(mechanism, model, drawnStance(mechanism));
+}
+
+Report analyse(const mechanism::Mechanism& mechanism, Model model, const Stance& stance) {
+    const ConstraintJacobian jacobian = constraintJacobian(mechanism, model, stance);
     const Factorisation factors(jacobian.matrix);
     Report report;
     report.model = model;
-    countJoints(mechanism, model, report);
+    countJoints(mechanism, model, stance, report);
     report.columns = static_cast<int>(jacobian.matrix.cols());
     report.bodies = report.columns / 6;
     report.rows = static_cast<int>(jacobian.matrix.rows());

@@ -6,6 +6,7 @@
 
 #include "simcore/base/pose.h"
 #include "simcore/mechanism/mechanism.h"
+#include "simcore/mobility/stance.h"
 
 /// Mobility of a mechanism on the ground: the Grübler count and what it hides.
 namespace simcore::mobility {
@@ -55,6 +56,10 @@ struct Report {
 /// joints of 3 freedoms (4 where the lateral slide is freed). Paper eq. 1 for the count; rank by
 /// column-pivoted QR of the constraint Jacobian, lengths scaled by the wheelbase.
 Report analyse(const mechanism::Mechanism& mechanism, Model model);
+
+/// The same at any pose and on any ground; a wheel that does not touch counts as no joint. Throws
+/// std::invalid_argument when the stance does not fit the mechanism.
+Report analyse(const mechanism::Mechanism& mechanism, Model model, const Stance& stance);
 
 /// The verdict in a sentence or two, for people.
 std::string describe(const Report& report);

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/SVD>
 
-#include "simcore/mobility/constraint_jacobian.h"
+#include "simcore/mobility/constraint_system.h"
 #include "tests/support/mechanisms.h"
 
 using namespace simcore;
@@ -171,6 +171,25 @@ TEST_P(RandomMechanismTest, RedundantSetFollowsThePriority) {
         ++found[jacobian.priorities[static_cast<std::size_t>(rowOf(jacobian, name))]];
     }
     EXPECT_EQ(found, expected);
+}
+
+// The matrix is the derivative of nonlinear closure conditions that were written down on their own.
+TEST_P(RandomMechanismTest, MatrixIsTheDerivativeOfTheClosure) {
+    const Mechanism mechanism = makeRandom(GetParam());
+    const ConstraintSystem system(mechanism, Model::Built, drawnStance(mechanism));
+    const Eigen::MatrixXd matrix = system.matrix(system.start());
+    constexpr double kStep = 1e-6;
+    Eigen::MatrixXd differences(matrix.rows(), matrix.cols());
+    for (Eigen::Index k = 0; k < matrix.cols(); ++k) {
+        const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(matrix.cols(), k);
+        differences.col(k) = (system.residual(system.moved(system.start(), step)) -
+                              system.residual(system.moved(system.start(), -step))) /
+                             (2.0 * kStep);
+    }
+    EXPECT_LT((differences - matrix).cwiseAbs().maxCoeff(), 1e-8);
+    Eigen::JacobiSVD<Eigen::MatrixXd> svd(differences);
+    svd.setThreshold(1e-7);  // of the differences
+    EXPECT_EQ(svd.rank(), analyse(mechanism, Model::Built).rank);
 }
 
 // Turning the rover about the vertical, moving it and changing its size changes no count.

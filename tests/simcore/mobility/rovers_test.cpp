@@ -132,6 +132,56 @@ TEST(RockerBogieTest, GearDifferentialCounts) {
     EXPECT_EQ(numbers(analyse(rover, Model::Built)), (std::array{-3, 69, 64, 2, 5}));
 }
 
+// A wheel on a slope ahead, the other side level: the sides would have to climb at different rates.
+TEST(StanceTest, AsBuiltSoleroCannotMoveWhereLeftAndRightDiffer) {
+    const Mechanism rover = load("solero");
+    Stance stance = drawnStance(rover);
+    const auto wheel = static_cast<std::size_t>(rover.findWheel("bogie_left_front"));
+    stance.wheels[wheel] = standAtAngle(rover.wheels[wheel], Pose{}, 0.3);
+    const Report report = analyse(rover, Model::Built, stance);
+    EXPECT_EQ(numbers(report), (std::array{-20, 128, 108, 0, 20}));
+    EXPECT_GT(report.rankGap, 1e6);
+    // The same slope on both sides lets it move.
+    const auto other = static_cast<std::size_t>(rover.findWheel("bogie_right_front"));
+    stance.wheels[other] = standAtAngle(rover.wheels[other], Pose{}, 0.3);
+    EXPECT_EQ(numbers(analyse(rover, Model::Built, stance)), (std::array{-20, 128, 107, 1, 21}));
+}
+
+TEST(StanceTest, HangingWheelTakesItsContactAway) {
+    const Mechanism rover = load("solero");
+    Stance stance = drawnStance(rover);
+    stance.wheels[0].touching = false;
+    const Report report = analyse(rover, Model::Relaxed, stance);
+    EXPECT_EQ(report.joints, 27);
+    EXPECT_EQ(report.rows, 104);
+    EXPECT_EQ(report.mobility, 4);  // the front wheel spins, the fork swings, and the rover drives
+}
+
+TEST(StanceTest, ContactAngleIsPositiveWhereTheGroundRisesAhead) {
+    const Mechanism rover = load("solero");
+    const WheelStand stand = standAtAngle(rover.wheels[0], Pose{}, 0.5);
+    EXPECT_GT(stand.point.x(), rover.wheels[0].center.x());
+    EXPECT_NEAR((stand.point - rover.wheels[0].center).norm(), rover.wheels[0].radius, 1e-12);
+}
+
+// Carrying rover and ground anywhere else changes nothing.
+TEST(StanceTest, CountsDoNotDependOnWhereTheRoverStands) {
+    const Mechanism rover = load("rocker_bogie");
+    const Pose place{Eigen::Quaterniond(Eigen::AngleAxisd(0.8, Vec3(0.3, -0.5, 0.9).normalized())),
+                     Vec3(120.0, -40.0, 7.0)};
+    Stance stance = drawnStance(rover);
+    for (Pose& body : stance.bodies) {
+        body = place * body;
+    }
+    for (WheelStand& wheel : stance.wheels) {
+        wheel.point = place * wheel.point;
+        wheel.normal = place.rotation * wheel.normal;
+    }
+    EXPECT_EQ(numbers(analyse(rover, Model::Built, stance)), (std::array{-3, 69, 65, 1, 4}));
+    stance.wheels.pop_back();
+    EXPECT_THROW(analyse(rover, Model::Built, stance), std::invalid_argument);
+}
+
 TEST(WheelOrderTest, SideBySideElementsExpandLeftFirst) {
     const Mechanism rover = load("solero");
     std::vector<std::string> names;
