@@ -17,6 +17,8 @@ int main(int argc, char** argv) {
     roversim::addValidateCommand(app, exitCode);
     roversim::addRunCommand(app, exitCode);
     roversim::addChannelsCommand(app, exitCode);
+    roversim::addReplayCommand(app, exitCode);
+    roversim::addExportCommand(app, exitCode);
     roversim::addConvertCommand(app, exitCode);
     try {
         app.parse(argc, argv);

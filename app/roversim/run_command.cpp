@@ -1,5 +1,7 @@
 #include <unistd.h>
 
+#include <iterator>
+
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -7,6 +9,7 @@
 #include "simcore/io/csv.h"
 #include "simcore/io/json_format.h"
 #include "simcore/io/mobility_json.h"
+#include "simcore/io/recording.h"
 #include "simcore/io/run_report_json.h"
 #include "simcore/project/names.h"
 #include "simcore/run/sampler.h"
@@ -28,6 +31,7 @@ struct Options {
     std::optional<int> seed;
     std::vector<std::string> set;
     std::string csv;
+    std::string record;
     bool json = false;
 };
 
@@ -72,19 +76,42 @@ class Progress {
     double next_ = 0.0;
 };
 
-run::Recording drive(run::Simulation& simulation) {
+/// Drives to the end; `writer` takes the recording as it comes, and only what a table needs is
+/// kept.
+run::Recording drive(run::Simulation& simulation, io::RecordingWriter* writer, bool keepRows) {
     run::Recording recording;
     recording.channels = run::makeChannels(simulation.settings().mechanism);
     run::Sampler sampler(simulation.settings().mechanism);
     sampler.start(simulation.snapshot());
+    std::vector<std::vector<double>> rows;
+    std::vector<std::shared_ptr<const run::Snapshot>> frames;
+    const auto pass = [&] {
+        sampler.moveTo(rows, frames);
+        if (writer != nullptr) {
+            writer->add(rows, frames);
+            if (writer->wantsMark()) {
+                writer->add(
+                    io::HashMark{simulation.snapshot().step, simulation.report().stateHash});
+            }
+        }
+        if (keepRows) {
+            std::move(rows.begin(), rows.end(), std::back_inserter(recording.rows));
+        }
+        rows.clear();
+        frames.clear();
+    };
     Progress progress;
     while (!simulation.finished()) {
         simulation.step();
         sampler.take(simulation.snapshot());
+        pass();
         progress.update(simulation);
     }
     sampler.finish(simulation.snapshot());
-    sampler.moveTo(recording.rows, recording.frames);
+    pass();
+    if (writer != nullptr) {
+        writer->add(io::HashMark{simulation.snapshot().step, simulation.report().stateHash});
+    }
     return recording;
 }
 
@@ -134,8 +161,26 @@ int runScenario(const Options& options) {
         return kWrongUse;
     }
     run::Simulation simulation(std::move(prepared).value());
-    const run::Recording recording = drive(simulation);
+    std::unique_ptr<io::RecordingWriter> writer;
+    if (!options.record.empty()) {
+        auto created = io::RecordingWriter::create(
+            options.record, io::recordingHeader(*project, request, simulation.settings(),
+                                                simulation.report().engine, options.file));
+        printProblems(options.record, created.problems());
+        if (!created) {
+            return kAnswerIsNo;
+        }
+        writer = std::move(created).value();
+    }
+    const run::Recording recording = drive(simulation, writer.get(), !options.csv.empty());
     const run::RunReport report = simulation.report();
+    bool recorded = true;
+    if (writer) {
+        // A run without its recording is still a run: its report is printed.
+        const auto finished = writer->finish(report);
+        printProblems(options.record, finished.problems());
+        recorded = finished.ok();
+    }
     if (!options.csv.empty()) {
         const io::RecordingOrigin origin = io::originOf(*project, request, options.file);
         const auto saved =
@@ -153,7 +198,7 @@ int runScenario(const Options& options) {
     } else {
         printTable(report);
     }
-    return report.completed ? kGood : kAnswerIsNo;
+    return report.completed && recorded ? kGood : kAnswerIsNo;
 }
 
 }  // namespace
@@ -174,6 +219,7 @@ void addRunCommand(CLI::App& app, int& exitCode) {
     command->add_option("--set", options->set, "NAME=VALUE, set a parameter (may be repeated)")
         ->allow_extra_args(false);
     command->add_option("--csv", options->csv, "Write all channels to this file");
+    command->add_option("--record", options->record, "Write a recording (.roverrec) to this file");
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options, &exitCode] { exitCode = runScenario(*options); });
 }

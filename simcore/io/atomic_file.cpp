@@ -33,31 +33,57 @@ bool writeAll(int descriptor, std::string_view text) {
 
 }  // namespace
 
-Result<bool> writeFileAtomically(const std::filesystem::path& file, std::string_view text) {
+AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)) {
     // A link is followed, so that saving through it changes the file and not the link.
     std::error_code error;
-    const std::filesystem::path target =
-        std::filesystem::is_symlink(file, error) ? std::filesystem::canonical(file, error) : file;
-    std::string temporary = (target.string().empty() ? file.string() : target.string()) + ".XXXXXX";
-    const int descriptor = ::mkstemp(temporary.data());
-    if (descriptor < 0) {
-        return systemProblem(file, "cannot create a file there");
+    target_ = std::filesystem::is_symlink(file_, error) ? std::filesystem::canonical(file_, error)
+                                                        : file_;
+    temporary_ = (target_.string().empty() ? file_.string() : target_.string()) + ".XXXXXX";
+    descriptor_ = ::mkstemp(temporary_.data());
+    created_ = descriptor_ >= 0;
+    error_ = created_ ? 0 : errno;
+}
+
+AtomicFile::~AtomicFile() {
+    if (descriptor_ >= 0) {
+        ::close(descriptor_);
+        ::unlink(temporary_.c_str());
+    }
+}
+
+void AtomicFile::write(std::string_view text) {
+    if (error_ == 0 && !writeAll(descriptor_, text)) {
+        error_ = errno;
+    }
+}
+
+Result<bool> AtomicFile::commit() {
+    if (!created_) {
+        errno = error_;
+        return systemProblem(file_, "cannot create a file there");
     }
 
     struct stat old {};
 
-    const mode_t mode = ::stat(target.c_str(), &old) == 0 ? old.st_mode & 0777 : 0644;
-    const bool written =
-        writeAll(descriptor, text) && ::fchmod(descriptor, mode) == 0 && ::fsync(descriptor) == 0;
-    const int writeError = errno;
-    const bool closed = ::close(descriptor) == 0;
-    if (!written || !closed || ::rename(temporary.c_str(), target.c_str()) != 0) {
-        errno = written ? errno : writeError;
-        Problem problem = systemProblem(file, "cannot write the file");
-        ::unlink(temporary.c_str());
+    const mode_t mode = ::stat(target_.c_str(), &old) == 0 ? old.st_mode & 0777 : 0644;
+    if (error_ == 0 && (::fchmod(descriptor_, mode) != 0 || ::fsync(descriptor_) != 0)) {
+        error_ = errno;
+    }
+    const bool closed = ::close(descriptor_) == 0;
+    descriptor_ = -1;
+    if (error_ != 0 || !closed || ::rename(temporary_.c_str(), target_.c_str()) != 0) {
+        errno = error_ != 0 ? error_ : errno;
+        Problem problem = systemProblem(file_, "cannot write the file");
+        ::unlink(temporary_.c_str());
         return problem;
     }
     return true;
+}
+
+Result<bool> writeFileAtomically(const std::filesystem::path& file, std::string_view text) {
+    AtomicFile writer(file);
+    writer.write(text);
+    return writer.commit();
 }
 
 }  // namespace simcore::io

@@ -8,6 +8,7 @@
 #include "simcore/base/version.h"
 #include "simcore/io/atomic_file.h"
 #include "simcore/io/json_format.h"
+#include "simcore/io/project_file.h"
 #include "simcore/io/run_report_json.h"
 #include "simcore/project/names.h"
 
@@ -71,6 +72,57 @@ Json settingsOf(const run::ResolvedRun& run) {
     return json;
 }
 
+void appendHeader(const std::vector<run::Channel>& channels, std::string& out) {
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        out += i == 0 ? "" : ",";
+        out += quoted(channels[i].column());
+    }
+    out += '\n';
+}
+
+void appendRows(std::size_t columns, const std::vector<std::vector<double>>& rows,
+                std::string& out) {
+    for (const std::vector<double>& row : rows) {
+        if (row.size() != columns) {
+            throw std::invalid_argument("formatCsv: a row is not as long as the list of channels");
+        }
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            out += i == 0 ? "" : ",";
+            appendNumber(row[i], out);
+        }
+        out += '\n';
+    }
+}
+
+Json metadata(const std::vector<run::Channel>& channels, std::size_t rows,
+              const run::ResolvedRun& settings, const std::string& engine,
+              const std::string& stateHash, const RecordingOrigin& origin, Json report) {
+    Json json;
+    json["schema"] = "roverstudio.recording-table/1";
+    json["program_version"] = programVersion();
+    json["project"] = origin.projectName;
+    json["project_file"] = origin.projectFile;
+    json["variant"] = origin.variant;
+    json["scenario"] = settings.scenario;
+    json["parameters"] = Json::object();
+    for (const auto& [name, value] : origin.parameters) {
+        json["parameters"][name] = value;
+    }
+    json["overrides"] = Json::object();
+    for (const project::Assignment& assignment : origin.assignments) {
+        json["overrides"][assignment.parameter] = assignment.value;
+    }
+    json["engine"] = engine;
+    json["step"] = settings.step;
+    json["seed"] = settings.seed;
+    json["state_hash"] = stateHash;
+    json["settings"] = settingsOf(settings);
+    json["report"] = std::move(report);
+    json["rows"] = rows;
+    json["columns"] = columnsOf(channels);
+    return json;
+}
+
 }  // namespace
 
 RecordingOrigin originOf(const project::Project& project, const run::RunRequest& request,
@@ -95,50 +147,57 @@ std::string formatCsv(const std::vector<run::Channel>& channels,
                       const std::vector<std::vector<double>>& rows) {
     std::string out;
     out.reserve(64 * channels.size() + 12 * channels.size() * rows.size());
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-        out += i == 0 ? "" : ",";
-        out += quoted(channels[i].column());
-    }
-    out += '\n';
-    for (const std::vector<double>& row : rows) {
-        if (row.size() != channels.size()) {
-            throw std::invalid_argument("formatCsv: a row is not as long as the list of channels");
-        }
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            out += i == 0 ? "" : ",";
-            appendNumber(row[i], out);
-        }
-        out += '\n';
-    }
+    appendHeader(channels, out);
+    appendRows(channels.size(), rows, out);
     return out;
 }
 
 std::string formatCsvMetadata(const run::Recording& recording, const run::ResolvedRun& settings,
                               const run::RunReport& report, const RecordingOrigin& origin) {
-    Json json;
-    json["schema"] = "roverstudio.recording-table/1";
-    json["program_version"] = programVersion();
-    json["project"] = origin.projectName;
-    json["project_file"] = origin.projectFile;
-    json["variant"] = origin.variant;
-    json["scenario"] = settings.scenario;
-    json["parameters"] = Json::object();
-    for (const auto& [name, value] : origin.parameters) {
-        json["parameters"][name] = value;
+    return formatJson(metadata(recording.channels, recording.rows.size(), settings, report.engine,
+                               report.stateHash, origin, toJson(report)));
+}
+
+Result<bool> exportCsv(RecordingReader& recording, const std::string& recordingFile,
+                       const std::filesystem::path& file) {
+    const RecordingHeader& header = recording.header();
+    const auto project = parseProject(header.projectText, recordingFile + " (its project)");
+    if (!project) {
+        return project.problems();
     }
-    json["overrides"] = Json::object();
-    for (const project::Assignment& assignment : origin.assignments) {
-        json["overrides"][assignment.parameter] = assignment.value;
+    const auto settings = run::prepareRun(*project, header.request);
+    if (!settings) {
+        return settings.problems();
     }
-    json["engine"] = report.engine;
-    json["step"] = settings.step;
-    json["seed"] = settings.seed;
-    json["state_hash"] = report.stateHash;
-    json["settings"] = settingsOf(settings);
-    json["report"] = toJson(report);
-    json["rows"] = recording.rows.size();
-    json["columns"] = columnsOf(recording.channels);
-    return formatJson(json);
+    AtomicFile table(file);
+    std::string text;
+    appendHeader(header.channels, text);
+    table.write(text);
+    for (std::size_t block = 0; block < recording.rowBlockCount(); ++block) {
+        const auto rows = recording.rowBlock(block);
+        if (!rows) {
+            return rows.problems();
+        }
+        text.clear();
+        appendRows(header.channels.size(), *rows, text);
+        table.write(text);
+    }
+    if (auto written = table.commit(); !written) {
+        return written;
+    }
+    const RecordingOrigin origin{project->rover.name, header.projectFile, header.variant,
+                                 header.parameters, header.request.assignments};
+    // The report is text of a file: what cannot be read of it is left out.
+    Json report = Json::parse(recording.reportText(), nullptr, false);
+    if (report.is_discarded()) {
+        report = nullptr;
+    }
+    const std::string hash =
+        recording.marks().empty() ? std::string() : recording.marks().back().stateHash;
+    return writeFileAtomically(
+        csvMetadataFile(file),
+        formatJson(metadata(header.channels, recording.rowCount(), *settings, header.engine, hash,
+                            origin, std::move(report))));
 }
 
 std::filesystem::path csvMetadataFile(const std::filesystem::path& csvFile) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "simcore/base/result.h"
+#include "simcore/io/recording.h"
 #include "simcore/run/simulation.h"
 
 /// Recordings as comma-separated values. docs/csv.md defines the columns.
@@ -34,6 +35,11 @@ std::string formatCsv(const std::vector<run::Channel>& channels,
 /// report and the meaning of every column.
 std::string formatCsvMetadata(const run::Recording& recording, const run::ResolvedRun& settings,
                               const run::RunReport& report, const RecordingOrigin& origin);
+
+/// Writes the table of a recording file and its metadata, block by block: a recording may be larger
+/// than the memory.
+Result<bool> exportCsv(RecordingReader& recording, const std::string& recordingFile,
+                       const std::filesystem::path& file);
 
 /// Where the metadata of a table goes: "out.csv" -> "out.json".
 std::filesystem::path csvMetadataFile(const std::filesystem::path& csvFile);

@@ -12,6 +12,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "simcore/io/project_file.h"
+#include "simcore/io/recording.h"
+
 namespace {
 
 using nlohmann::json;
@@ -74,7 +77,8 @@ std::array<int, 5> numbers(const json& model) {
 
 TEST_F(RoversimTest, HelpAndVersionSucceed) {
     for (const char* arguments :
-         {"--help", "mobility --help", "validate --help", "run --help", "convert --help"}) {
+         {"--help", "mobility --help", "validate --help", "run --help", "convert --help",
+          "replay --help", "export --help", "channels --help"}) {
         const Outcome outcome = roversim(arguments);
         EXPECT_EQ(outcome.code, 0) << arguments;
         EXPECT_THAT(outcome.out, HasSubstr("Usage")) << arguments;
@@ -280,4 +284,160 @@ TEST_F(RoversimTest, RunOfAnUnknownScenarioNamesIt) {
     EXPECT_NE(outcome.code, 0);
     EXPECT_EQ(outcome.out, "");
     EXPECT_THAT(outcome.err, HasSubstr("moon"));
+}
+
+namespace {
+
+/// A short run of SOLERO; a folder keeps what it wrote.
+class RecordedRun : public RoversimTest {
+  protected:
+    std::string path(const char* name) const { return (folder_ / name).string(); }
+
+    Outcome record(const std::string& more = {}) const {
+        return roversim("run " + shipped("solero") + " --scenario rough-3d --duration 3 --json " +
+                        "--record '" + path("run.roverrec") + "' --csv '" + path("run.csv") + "' " +
+                        more);
+    }
+
+    /// What a reader makes of run.csv: "" when it reads what is there, "skip" when it is missing.
+    std::string readBy(const std::string& reader) const {
+        const std::string command =
+            "/usr/bin/python3 '" ROVER_SOURCE_DIR "/tests/app/read_csv.py' " + reader + " '" +
+            path("run.csv") + "' >'" + path("said") + "' 2>&1 </dev/null";
+        const int status = std::system(command.c_str());
+        const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        // 127: there is no Python.
+        return code == 77 || code == 127 ? "skip"
+               : code == 0               ? ""
+                                         : "bad: " + readAll(path("said"));
+    }
+};
+
+}  // namespace
+
+TEST_F(RecordedRun, ReplayFromTheRecordingAloneGivesTheSameHash) {
+    const Outcome run = record("--set fork_preload=12 --mu 0.6 --seed 4");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const Outcome replay = roversim("replay --json '" + path("run.roverrec") + "'");
+    EXPECT_EQ(replay.code, 0) << replay.err;
+    const json result = json::parse(replay.out);
+    EXPECT_EQ(result.at("same"), true);
+    EXPECT_EQ(result.at("complete"), true);
+    EXPECT_EQ(result.at("steps"), 1500);
+    EXPECT_EQ(result.at("state_hash"), json::parse(run.out).at("state_hash"));
+}
+
+TEST_F(RecordedRun, ExportGivesTheTableOfTheRun) {
+    ASSERT_EQ(record().code, 0);
+    const Outcome exported =
+        roversim("export '" + path("run.roverrec") + "' '" + path("again.csv") + "'");
+    ASSERT_EQ(exported.code, 0) << exported.err;
+    EXPECT_EQ(readAll(path("again.csv")), readAll(path("run.csv")));
+    EXPECT_EQ(json::parse(readAll(path("again.json"))), json::parse(readAll(path("run.json"))));
+}
+
+// A recording that was cut short is run again as far as it goes.
+TEST_F(RecordedRun, ACutRecordingIsReplayedAsFarAsItGoes) {
+    ASSERT_EQ(record().code, 0);
+    const std::string whole = readAll(path("run.roverrec"));
+    write("cut.roverrec", whole.substr(0, whole.size() - 20000));
+    const Outcome replay = roversim("replay --json '" + path("cut.roverrec") + "'");
+    EXPECT_EQ(replay.code, 0) << replay.err;
+    EXPECT_THAT(replay.err, HasSubstr("interrupted"));
+    const json result = json::parse(replay.out);
+    EXPECT_EQ(result.at("complete"), false);
+    EXPECT_GT(result.at("steps"), 1000);
+}
+
+// The recording of a person's drive, made step by step here, is the same run in the program; with a
+// command that was not given, it is another.
+TEST_F(RecordedRun, ReplayObeysTheCommandsOfAPerson) {
+    using namespace simcore;
+    const auto project = io::loadProject(ROVER_SOURCE_DIR "/assets/projects/solero.rover");
+    ASSERT_TRUE(project);
+    run::RunRequest request;
+    request.scenario = "flat";
+    request.controller = project::ControllerKind::Manual;
+    request.duration = 1.2;
+    auto prepared = run::prepareRun(*project, request);
+    ASSERT_TRUE(prepared);
+    run::Simulation simulation(std::move(prepared).value());
+    const std::vector<io::TimedCommand> commands{{300, {0.1, 0.0}}, {450, {0.05, 0.2}}};
+    while (!simulation.finished()) {
+        for (const io::TimedCommand& command : commands) {
+            if (command.step == simulation.snapshot().step) {
+                simulation.setManualCommand(command.command);
+            }
+        }
+        simulation.step();
+    }
+    const auto save = [&](const char* name, std::size_t given) {
+        auto writer = io::RecordingWriter::create(
+            path(name),
+            io::recordingHeader(*project, request, simulation.settings(), "ode", "solero.rover"));
+        ASSERT_TRUE(writer);
+        for (std::size_t i = 0; i < given; ++i) {
+            (*writer)->add(commands[i]);
+        }
+        (*writer)->add(io::HashMark{simulation.snapshot().step, simulation.report().stateHash});
+        ASSERT_TRUE((*writer)->finish(simulation.report()));
+    };
+    save("driven.roverrec", 2);
+    save("forgotten.roverrec", 1);
+    EXPECT_EQ(roversim("replay '" + path("driven.roverrec") + "'").code, 0);
+    const Outcome other = roversim("replay '" + path("forgotten.roverrec") + "'");
+    EXPECT_EQ(other.code, 1);
+    EXPECT_THAT(other.out, HasSubstr("another run"));
+}
+
+TEST_F(RecordedRun, WhatIsNoRecordingIsRefused) {
+    for (const char* verb : {"replay ", "export "}) {
+        const Outcome outcome =
+            roversim(verb + shipped("solero") + (verb[0] == 'e' ? " '" + path("x.csv") + "'" : ""));
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_THAT(outcome.err, HasSubstr("not a recording"));
+    }
+    EXPECT_FALSE(std::filesystem::exists(path("x.csv")));
+    const Outcome run = roversim("run " + shipped("solero") +
+                                 " --scenario flat --duration 1 --record /proc/none/run.roverrec");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.err, HasSubstr("cannot create"));
+}
+
+// Real readers open the table with no options.
+class CsvReaders : public RecordedRun, public testing::WithParamInterface<const char*> {};
+
+TEST_P(CsvReaders, ReadEveryNumber) {
+    ASSERT_EQ(record().code, 0);
+    const std::string verdict = readBy(GetParam());
+    if (verdict == "skip") {
+        GTEST_SKIP() << GetParam() << " is not installed";
+    }
+    EXPECT_EQ(verdict, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CsvReaders,
+                         testing::Values("csv", "pandas", "plotjuggler", "libreoffice"),
+                         [](const auto& reader) { return std::string(reader.param); });
+
+// With a decimal comma in the environment nothing that is written changes.
+TEST_F(RecordedRun, DecimalCommaOfTheUserChangesNothing) {
+    const std::string make = "mkdir -p '" + path("loc") + "' && localedef -i de_DE -f UTF-8 '" +
+                             path("loc") + "/de_DE.UTF-8' >/dev/null 2>&1";
+    if (std::system(make.c_str()) != 0) {
+        GTEST_SKIP() << "the German locale cannot be made here";
+    }
+    const Outcome plain = record();
+    ASSERT_EQ(plain.code, 0);
+    const std::string csv = readAll(path("run.csv"));
+    setenv("LOCPATH", path("loc").c_str(), 1);
+    setenv("LC_ALL", "de_DE.UTF-8", 1);
+    const Outcome german = record();
+    const Outcome replay = roversim("replay '" + path("run.roverrec") + "'");
+    unsetenv("LC_ALL");
+    unsetenv("LOCPATH");
+    EXPECT_EQ(german.code, 0) << german.err;
+    EXPECT_EQ(readAll(path("run.csv")), csv);
+    EXPECT_EQ(json::parse(german.out).at("state_hash"), json::parse(plain.out).at("state_hash"));
+    EXPECT_EQ(replay.code, 0) << replay.err;
 }

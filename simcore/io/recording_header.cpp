@@ -1,0 +1,243 @@
+#include "simcore/io/recording_header.h"
+
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "simcore/base/version.h"
+#include "simcore/io/project_file.h"
+#include "simcore/project/names.h"
+
+namespace simcore::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kSchema = "roverstudio-recording-1";
+// Bounds of what a reader takes; far beyond any rover.
+constexpr std::size_t kMostParts = 10000;
+constexpr int kDeepest = 32;
+
+template <class T>
+void putOptional(Json& json, const char* key, const std::optional<T>& value) {
+    if (value) {
+        json[key] = *value;
+    }
+}
+
+template <class T>
+std::optional<T> getOptional(const Json& json, const char* key) {
+    return json.contains(key) ? std::optional<T>(json.at(key).get<T>()) : std::nullopt;
+}
+
+Json toJson(const run::RunRequest& request) {
+    Json json;
+    json["scenario"] = request.scenario;
+    if (request.controller) {
+        json["controller"] = project::nameOf(*request.controller);
+    }
+    putOptional(json, "friction", request.friction);
+    putOptional(json, "duration", request.duration);
+    putOptional(json, "step", request.step);
+    putOptional(json, "seed", request.seed);
+    json["set"] = Json::array();
+    for (const project::Assignment& assignment : request.assignments) {
+        json["set"].push_back({assignment.parameter, assignment.value});
+    }
+    return json;
+}
+
+run::RunRequest requestFrom(const Json& json) {
+    run::RunRequest request;
+    request.scenario = json.at("scenario").get<std::string>();
+    if (json.contains("controller")) {
+        const auto name = json.at("controller").get<std::string>();
+        request.controller = project::fromName<project::ControllerKind>(name);
+        if (!request.controller) {
+            throw std::runtime_error("controller '" + name + "' is not known");
+        }
+    }
+    request.friction = getOptional<double>(json, "friction");
+    request.duration = getOptional<double>(json, "duration");
+    request.step = getOptional<double>(json, "step");
+    request.seed = getOptional<int>(json, "seed");
+    for (const Json& pair : json.at("set")) {
+        request.assignments.push_back(
+            {pair.at(0).get<std::string>(), pair.at(1).get<std::string>()});
+    }
+    return request;
+}
+
+Json toJson(const run::Channel& channel) {
+    Json json;
+    json["quantity"] = channel.quantity;
+    json["object"] = channel.object;
+    json["label"] = channel.label;
+    json["symbol"] = channel.symbol;
+    json["unit"] = channel.unit;
+    json["group"] = run::toString(channel.group);
+    json["source"] = run::toString(channel.source);
+    json["meaning"] = channel.meaning;
+    return json;
+}
+
+template <class Enum>
+Enum enumFrom(const std::string& name, std::initializer_list<Enum> all) {
+    for (const Enum one : all) {
+        if (run::toString(one) == name) {
+            return one;
+        }
+    }
+    throw std::runtime_error("'" + name + "' is not known");
+}
+
+run::Channel channelFrom(const Json& json) {
+    using run::ChannelGroup;
+    using run::ChannelSource;
+    run::Channel channel;
+    channel.quantity = json.at("quantity").get<std::string>();
+    channel.object = json.at("object").get<std::string>();
+    channel.label = json.at("label").get<std::string>();
+    channel.symbol = json.at("symbol").get<std::string>();
+    channel.unit = json.at("unit").get<std::string>();
+    channel.meaning = json.at("meaning").get<std::string>();
+    channel.group = enumFrom(
+        json.at("group").get<std::string>(),
+        {ChannelGroup::Time, ChannelGroup::Chassis, ChannelGroup::Wheel, ChannelGroup::Joint});
+    channel.source =
+        enumFrom(json.at("source").get<std::string>(),
+                 {ChannelSource::Known, ChannelSource::Measured, ChannelSource::Oracle});
+    return channel;
+}
+
+/// A parser's answer takes memory by the level; no header is deep.
+bool tooDeep(const std::string& text) {
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted && c == '\\') {
+            ++i;
+        } else if (c == '"') {
+            quoted = !quoted;
+        } else if (!quoted && (c == '[' || c == '{') && ++depth > kDeepest) {
+            return true;
+        } else if (!quoted && (c == ']' || c == '}')) {
+            --depth;
+        }
+    }
+    return false;
+}
+
+std::size_t partsFrom(const Json& json, const char* key) {
+    const auto parts = json.at(key).get<std::size_t>();
+    if (parts > kMostParts) {
+        throw std::runtime_error(fmt::format("{} {} are too many", parts, key));
+    }
+    return parts;
+}
+
+ParsedHeader fromJson(const Json& json) {
+    if (json.at("schema") != kSchema) {
+        throw std::runtime_error(
+            fmt::format("schema {} is not one this program reads", json.at("schema").dump()));
+    }
+    ParsedHeader parsed;
+    RecordingHeader& header = parsed.header;
+    header.programVersion = json.at("program_version").get<std::string>();
+    header.projectFile = json.at("project_file").get<std::string>();
+    header.projectText = json.at("project").get<std::string>();
+    header.request = requestFrom(json.at("request"));
+    header.variant = json.at("variant").get<std::string>();
+    header.engine = json.at("engine").get<std::string>();
+    header.seed = json.at("seed").get<int>();
+    for (const auto& [name, value] : json.at("parameters").items()) {
+        header.parameters[name] = value.get<double>();
+    }
+    for (const Json& channel : json.at("channels")) {
+        header.channels.push_back(channelFrom(channel));
+    }
+    if (header.channels.empty() || header.channels.front().quantity != "time") {
+        throw std::runtime_error("the first channel is not the time");
+    }
+    header.size = {partsFrom(json, "bodies"), partsFrom(json, "wheels"), partsFrom(json, "joints")};
+    std::map<std::string, int> positions;
+    for (const Json& name : json.at("frame_columns")) {
+        positions.emplace(name.get<std::string>(), static_cast<int>(parsed.frameColumns++));
+    }
+    for (const std::string& name : snapshotColumns(header.size)) {
+        const auto found = positions.find(name);
+        parsed.framePositions.push_back(found == positions.end() ? -1 : found->second);
+    }
+    return parsed;
+}
+
+}  // namespace
+
+RecordingHeader recordingHeader(const project::Project& project, const run::RunRequest& request,
+                                const run::ResolvedRun& run, const std::string& engine,
+                                const std::string& projectFile) {
+    RecordingHeader header;
+    header.programVersion = programVersion();
+    header.projectFile = projectFile;
+    header.projectText = formatProject(project);
+    header.request = request;
+    header.engine = engine;
+    header.seed = run.seed;
+    for (const project::Scenario& scenario : project.scenarios) {
+        if (scenario.name == request.scenario) {
+            header.variant = scenario.variant;
+        }
+    }
+    const auto values = project::evaluateParameters(project, header.variant, request.assignments);
+    if (values) {
+        header.parameters = *values;
+    }
+    header.channels = run::makeChannels(run.mechanism);
+    header.size = {run.mechanism.bodies.size(), run.mechanism.wheels.size(),
+                   run.mechanism.encoderJoints().size()};
+    return header;
+}
+
+std::string formatHeader(const RecordingHeader& header) {
+    Json json;
+    json["schema"] = kSchema;
+    json["program_version"] = header.programVersion;
+    json["project_file"] = header.projectFile;
+    json["project"] = header.projectText;
+    json["request"] = toJson(header.request);
+    json["variant"] = header.variant;
+    json["engine"] = header.engine;
+    json["seed"] = header.seed;
+    json["parameters"] = Json::object();
+    for (const auto& [name, value] : header.parameters) {
+        json["parameters"][name] = value;
+    }
+    json["channels"] = Json::array();
+    for (const run::Channel& channel : header.channels) {
+        json["channels"].push_back(toJson(channel));
+    }
+    json["bodies"] = header.size.bodies;
+    json["wheels"] = header.size.wheels;
+    json["joints"] = header.size.joints;
+    json["frame_columns"] = snapshotColumns(header.size);
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Result<ParsedHeader> parseHeader(const std::string& text, const std::string& source) {
+    const auto bad = [&source](const std::string& why) {
+        return Problem{Severity::Critical, source, "its header cannot be read (" + why + ").",
+                       "Open it with the RoverStudio version that wrote it."};
+    };
+    if (tooDeep(text)) {
+        return bad("nested too deeply");
+    }
+    try {
+        return fromJson(Json::parse(text));
+    } catch (const std::exception& error) {
+        return bad(error.what());
+    }
+}
+
+}  // namespace simcore::io

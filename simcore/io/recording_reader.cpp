@@ -1,0 +1,301 @@
+#include <algorithm>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "simcore/io/recording.h"
+#include "simcore/io/recording_chunks.h"
+#include "simcore/io/recording_header.h"
+
+namespace simcore::io {
+namespace {
+
+// Bounds of what a reader takes: months of rows, a command every 10 ms for hours.
+constexpr std::size_t kMostChunks = 4'000'000;
+constexpr std::size_t kMostEntries = 2'000'000;
+
+struct Place {
+    ChunkHead head;
+    std::uint64_t offset = 0;  ///< of the stored bytes
+    std::size_t before = 0;    ///< rows in the chunks of its kind before it
+};
+
+Problem damaged(const std::string& source, std::uint64_t offset, Severity severity) {
+    return {severity, source, fmt::format("it is damaged at byte {}.", offset),
+            "Take another copy of the file if there is one."};
+}
+
+/// A whole number of steps; nothing when it is none.
+std::optional<long> stepFrom(double number) {
+    if (!(number >= 0.0 && number < 9007199254740992.0)) {
+        return std::nullopt;
+    }
+    return static_cast<long>(number);
+}
+
+}  // namespace
+
+struct RecordingReader::Impl {
+    std::unique_ptr<std::istream> stream;
+    std::string source;
+    std::uint64_t size = 0;
+    ParsedHeader parsed;
+    std::string report;
+    bool complete = false;
+    std::vector<TimedCommand> commands;
+    std::vector<HashMark> marks;
+    std::vector<Place> rows, frames;
+    std::size_t rowCount = 0, frameCount = 0;
+    std::size_t cachedBlock = static_cast<std::size_t>(-1);
+    Table cached;  ///< the block of frames read last
+
+    bool readBytes(std::uint64_t offset, std::size_t count, std::string& bytes);
+    Problems outline();
+    bool take(const Place& place);
+    bool takeEntries(const Place& place);
+    Result<Table> table(const Place& place, std::size_t columns);
+    std::uint64_t wholeUntil();
+};
+
+bool RecordingReader::Impl::readBytes(std::uint64_t offset, std::size_t count, std::string& bytes) {
+    if (count > size || offset > size - count) {
+        return false;
+    }
+    bytes.resize(count);
+    stream->clear();
+    stream->seekg(static_cast<std::streamoff>(offset));
+    stream->read(bytes.data(), static_cast<std::streamsize>(count));
+    return stream->gcount() == static_cast<std::streamsize>(count);
+}
+
+bool RecordingReader::Impl::takeEntries(const Place& place) {
+    std::string stored;
+    if (commands.size() + marks.size() + place.head.count > kMostEntries ||
+        !readBytes(place.offset, place.head.stored, stored) || !checksumHolds(place.head, stored)) {
+        return false;
+    }
+    const auto entries = unpackTable(place.head, stored);
+    if (!entries || entries->front().size() < 3) {
+        return false;
+    }
+    for (const std::vector<double>& entry : *entries) {
+        const auto step = stepFrom(entry[0]);
+        if (!step) {
+            return false;
+        }
+        if (place.head.tag == kCommandsChunk) {
+            commands.push_back({*step, {entry[1], entry[2]}});
+        } else if (entry[1] >= 0.0 && entry[1] < 4294967296.0 && entry[2] >= 0.0 &&
+                   entry[2] < 4294967296.0) {
+            marks.push_back(
+                {*step, fmt::format("{:08x}{:08x}", static_cast<std::uint32_t>(entry[1]),
+                                    static_cast<std::uint32_t>(entry[2]))});
+        } else {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Files one chunk; false when its contents are not what they should be.
+bool RecordingReader::Impl::take(const Place& place) {
+    const ChunkTag& tag = place.head.tag;
+    if (tag == kRowsChunk && place.head.count > 0) {
+        rows.push_back(place);
+        rows.back().before = rowCount;
+        rowCount += place.head.count;
+    } else if (tag == kFramesChunk && place.head.count > 0) {
+        frames.push_back(place);
+        frames.back().before = frameCount;
+        frameCount += place.head.count;
+    } else if (tag == kCommandsChunk || tag == kMarksChunk) {
+        return takeEntries(place);
+    } else if (tag == kReportChunk) {
+        std::string stored;
+        if (!readBytes(place.offset, place.head.stored, stored) ||
+            !checksumHolds(place.head, stored)) {
+            return false;
+        }
+        const auto text = unpackText(place.head, stored);
+        report = text.value_or("");
+        complete = text.has_value();
+        return complete;
+    }
+    return true;  // a kind of chunk this version does not know is passed over
+}
+
+/// Reads the heads from the beginning to the end, or to the first that is not whole.
+Problems RecordingReader::Impl::outline() {
+    const auto notOne = [this](const char* why) {
+        return Problems{{Severity::Critical, source, why, "Choose a .roverrec file."}};
+    };
+    std::string bytes;
+    if (!readBytes(0, kRecordingMagic.size(), bytes) || bytes != kRecordingMagic) {
+        return notOne("this is not a recording.");
+    }
+    std::uint64_t offset = kRecordingMagic.size();
+    std::string why;
+    for (std::size_t chunks = 0; offset < size && !complete; ++chunks) {
+        const auto head = readBytes(offset, kChunkHeadSize, bytes) && chunks < kMostChunks
+                              ? readHead(bytes)
+                              : std::nullopt;
+        const Place place{head.value_or(ChunkHead{}), offset + kChunkHeadSize, 0};
+        if (!head || place.head.stored > size - place.offset) {
+            break;
+        }
+        if (chunks == 0) {
+            std::string stored;
+            const bool read = head->tag == kHeaderChunk &&
+                              readBytes(place.offset, head->stored, stored) &&
+                              checksumHolds(*head, stored);
+            const auto text = read ? unpackText(*head, stored) : std::nullopt;
+            if (!text) {
+                return {damaged(source, offset, Severity::Critical)};
+            }
+            auto header = parseHeader(*text, source);
+            if (!header) {
+                return header.problems();
+            }
+            parsed = std::move(header).value();
+        } else if (!take(place)) {
+            break;
+        }
+        offset = place.offset + place.head.stored;
+    }
+    if (parsed.header.channels.empty()) {
+        return {damaged(source, kRecordingMagic.size(), Severity::Critical)};
+    }
+    if (complete) {
+        return {};
+    }
+    const std::uint64_t whole = std::min(offset, wholeUntil());
+    const double end = rows.empty() ? 0.0 : rows.back().head.last;
+    return {{Severity::Warning, source,
+             fmt::format("the recording was interrupted or is damaged: {} of its {} bytes can be "
+                         "read, up to {:.2f} s.",
+                         whole, size, end),
+             "Go on with what is there, or take another copy."}};
+}
+
+/// Without a report nobody said that all was written: every checksum is looked at, and the tables
+/// end before the first that does not hold. Returns where that is.
+std::uint64_t RecordingReader::Impl::wholeUntil() {
+    std::uint64_t end = size;
+    const auto check = [&](std::vector<Place>& places, std::size_t& count) {
+        std::string stored;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (!readBytes(places[i].offset, places[i].head.stored, stored) ||
+                !checksumHolds(places[i].head, stored)) {
+                end = std::min(end, places[i].offset - kChunkHeadSize);
+                count = places[i].before;
+                places.resize(i);
+            }
+        }
+    };
+    check(rows, rowCount);
+    check(frames, frameCount);
+    return end;
+}
+
+Result<Table> RecordingReader::Impl::table(const Place& place, std::size_t columns) {
+    std::string stored;
+    if (readBytes(place.offset, place.head.stored, stored) && checksumHolds(place.head, stored)) {
+        auto rowsRead = unpackTable(place.head, stored);
+        if (rowsRead && rowsRead->front().size() == columns) {
+            return std::move(*rowsRead);
+        }
+    }
+    return damaged(source, place.offset, Severity::Critical);
+}
+
+RecordingReader::RecordingReader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+RecordingReader::~RecordingReader() = default;
+
+Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) {
+        return Problem{Severity::Critical, file.string(), "there is no such file.",
+                       "Check the path."};
+    }
+    return open(std::make_unique<std::ifstream>(file, std::ios::binary), file.string());
+}
+
+Result<std::unique_ptr<RecordingReader>> RecordingReader::open(std::unique_ptr<std::istream> bytes,
+                                                               const std::string& sourceName) {
+    auto impl = std::make_unique<Impl>();
+    impl->stream = std::move(bytes);
+    impl->source = sourceName;
+    impl->stream->seekg(0, std::ios::end);
+    const std::streamoff size = impl->stream->tellg();
+    if (!*impl->stream || size < 0) {
+        return Problem{Severity::Critical, sourceName, "the file cannot be read.",
+                       "Check its permissions."};
+    }
+    impl->size = static_cast<std::uint64_t>(size);
+    Problems problems = impl->outline();
+    if (hasCritical(problems)) {
+        return problems;
+    }
+    return Result<std::unique_ptr<RecordingReader>>(
+        std::unique_ptr<RecordingReader>(new RecordingReader(std::move(impl))),
+        std::move(problems));
+}
+
+const RecordingHeader& RecordingReader::header() const {
+    return impl_->parsed.header;
+}
+
+bool RecordingReader::complete() const {
+    return impl_->complete;
+}
+
+const std::string& RecordingReader::reportText() const {
+    return impl_->report;
+}
+
+const std::vector<TimedCommand>& RecordingReader::commands() const {
+    return impl_->commands;
+}
+
+const std::vector<HashMark>& RecordingReader::marks() const {
+    return impl_->marks;
+}
+
+std::size_t RecordingReader::rowCount() const {
+    return impl_->rowCount;
+}
+
+std::size_t RecordingReader::frameCount() const {
+    return impl_->frameCount;
+}
+
+std::size_t RecordingReader::rowBlockCount() const {
+    return impl_->rows.size();
+}
+
+Result<std::vector<std::vector<double>>> RecordingReader::rowBlock(std::size_t block) {
+    return impl_->table(impl_->rows.at(block), header().channels.size());
+}
+
+Result<run::Snapshot> RecordingReader::frame(std::size_t index) {
+    if (index >= impl_->frameCount) {
+        throw std::out_of_range("RecordingReader::frame: there are not so many frames");
+    }
+    const auto after =
+        std::upper_bound(impl_->frames.begin(), impl_->frames.end(), index,
+                         [](std::size_t i, const Place& place) { return i < place.before; });
+    const auto block = static_cast<std::size_t>(after - impl_->frames.begin()) - 1;
+    if (block != impl_->cachedBlock) {
+        auto table = impl_->table(impl_->frames[block], impl_->parsed.frameColumns);
+        if (!table) {
+            return table.problems();
+        }
+        impl_->cached = std::move(table).value();
+        impl_->cachedBlock = block;
+    }
+    return snapshotFromNumbers(header().size, impl_->parsed.framePositions,
+                               impl_->cached[index - impl_->frames[block].before]);
+}
+
+}  // namespace simcore::io
