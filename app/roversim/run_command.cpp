@@ -29,6 +29,7 @@ struct Options {
     std::optional<double> duration;
     std::optional<double> step;
     std::optional<int> seed;
+    std::string joints;
     std::vector<std::string> set;
     std::string csv;
     std::string record;
@@ -45,6 +46,9 @@ run::RunRequest requestOf(const Options& options, std::vector<project::Assignmen
     request.duration = options.duration;
     request.step = options.step;
     request.seed = options.seed;
+    if (!options.joints.empty()) {
+        request.relaxedJoints = options.joints == "relaxed";
+    }
     request.assignments = std::move(assignments);
     return request;
 }
@@ -216,6 +220,8 @@ void addRunCommand(CLI::App& app, int& exitCode) {
         ->check(CLI::Range(1e-3, 1e5));
     command->add_option("--dt", options->step, "Engine step [s]")->check(CLI::Range(1e-5, 0.02));
     command->add_option("--seed", options->seed, "Seed of random terrain");
+    command->add_option("--joints", options->joints, "Joints instead of the scenario's")
+        ->check(CLI::IsMember({"built", "relaxed"}));
     command->add_option("--set", options->set, "NAME=VALUE, set a parameter (may be repeated)")
         ->allow_extra_args(false);
     command->add_option("--csv", options->csv, "Write all channels to this file");

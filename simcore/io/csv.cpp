@@ -69,6 +69,7 @@ Json settingsOf(const run::ResolvedRun& run) {
     json["duration"] = run.duration;
     json["settle"] = run.settle;
     json["ramp"] = run.ramp;
+    json["joints"] = run.joints == dynamics::JointSet::Built ? "built" : "relaxed";
     return json;
 }
 

@@ -191,6 +191,7 @@ void describe(V& v, const RunSettings*) {
     v.optional("duration", &RunSettings::duration);
     v.optional("settle", &RunSettings::settle);
     v.optional("ramp", &RunSettings::ramp);
+    v.optional("relaxed_joints", &RunSettings::relaxedJoints);
     v.optional("seed", &RunSettings::seed);
 }
 

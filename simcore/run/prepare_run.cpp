@@ -39,6 +39,9 @@ project::Scenario withRequest(project::Scenario scenario, const RunRequest& requ
     if (request.step) {
         scenario.run.step = *request.step;
     }
+    if (request.relaxedJoints) {
+        scenario.run.relaxedJoints = *request.relaxedJoints;
+    }
     if (request.seed) {
         scenario.run.seed = *request.seed;
         scenario.terrain.seed = *request.seed;
@@ -83,6 +86,8 @@ std::optional<ResolvedRun> readRun(const project::Project& project,
     run.scenario = scenario.name;
     run.controller = scenario.controller.kind;
     run.seed = scenario.run.seed;
+    run.joints = scenario.run.relaxedJoints ? dynamics::JointSet::Relaxed
+                                            : dynamics::JointSet::Built;
     return run;
 }
 

@@ -99,7 +99,7 @@ struct Simulation::Impl {
 
 Simulation::Impl::Impl(ResolvedRun settings)
     : run(std::move(settings)),
-      engine(dynamics::makeOdeEngine(run.mechanism, {run.step, dynamics::kGravity})),
+      engine(dynamics::makeOdeEngine(run.mechanism, {run.step, dynamics::kGravity, run.joints})),
       contactFinder(run.mechanism, *run.terrain),
       controller(control::makeController(run.mechanism, controllerSettings(run))),
       sensors(run.mechanism, run.sensors, run.seed),
@@ -263,7 +263,7 @@ void Simulation::Impl::measure() {
     observer.observe(*engine, before, contacts, count, now.wheels);
     if (now.time > run.settle) {
         friction.observe(contacts, engine->contactForces());
-        loopErrorMax = std::max(loopErrorMax, dynamics::loopError(run.mechanism, engine->poses()));
+        loopErrorMax = std::max(loopErrorMax, dynamics::loopError(run.mechanism, engine->poses(), run.joints));
         for (const contact::Contact& contact : contacts) {
             penetrationMax = std::max(penetrationMax, contact.depth);
         }

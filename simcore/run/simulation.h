@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simcore/base/result.h"
+#include "simcore/dynamics/engine.h"
 #include "simcore/mechanism/mechanism.h"
 #include "simcore/project/resolve.h"
 #include "simcore/run/channels.h"
@@ -23,6 +24,7 @@ struct RunRequest {
     std::optional<double> duration;
     std::optional<double> step;
     std::optional<int> seed;
+    std::optional<bool> relaxedJoints;
     std::vector<project::Assignment> assignments;
 };
 
@@ -37,6 +39,7 @@ struct ResolvedRun : project::ScenarioValues {
     mechanism::Mechanism mechanism;
     std::shared_ptr<const terrain::Terrain> terrain;
     project::ControllerKind controller = project::ControllerKind::Speed;
+    dynamics::JointSet joints = dynamics::JointSet::Built;
     int seed = 1;
     std::string scenario;
 };

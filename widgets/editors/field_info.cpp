@@ -128,6 +128,8 @@ constexpr std::array kEntries{
           QT_TRANSLATE_NOOP("fields", "0 = from distance and speed")},
     Entry{"run", "settle", QT_TRANSLATE_NOOP("fields", "Settling time"), "s", ""},
     Entry{"run", "ramp", QT_TRANSLATE_NOOP("fields", "Ramp time"), "s", ""},
+    Entry{"run", "relaxed_joints", QT_TRANSLATE_NOOP("fields", "Relaxed joints"), "",
+          QT_TRANSLATE_NOOP("fields", "Joints with the freedoms of the relaxed model")},
     Entry{"run", "seed", QT_TRANSLATE_NOOP("fields", "Seed"), "", ""},
     Entry{"", "name", QT_TRANSLATE_NOOP("fields", "Name"), "",
           QT_TRANSLATE_NOOP("fields",
