@@ -22,6 +22,7 @@ inline constexpr int kWrongUse = 2;
 void addMobilityCommand(CLI::App& app, int& exitCode);
 void addValidateCommand(CLI::App& app, int& exitCode);
 void addConvertCommand(CLI::App& app, int& exitCode);
+void addCriticalFrictionCommand(CLI::App& app, int& exitCode);
 void addChannelsCommand(CLI::App& app, int& exitCode);
 void addExportCommand(CLI::App& app, int& exitCode);
 void addReplayCommand(CLI::App& app, int& exitCode);

@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     roversim::addMobilityCommand(app, exitCode);
     roversim::addValidateCommand(app, exitCode);
     roversim::addRunCommand(app, exitCode);
+    roversim::addCriticalFrictionCommand(app, exitCode);
     roversim::addChannelsCommand(app, exitCode);
     roversim::addReplayCommand(app, exitCode);
     roversim::addExportCommand(app, exitCode);

@@ -27,6 +27,8 @@ struct Options {
     std::string controller;
     std::optional<double> friction;
     std::optional<double> duration;
+    std::optional<double> distance;
+    std::optional<double> height;
     std::optional<double> step;
     std::optional<int> seed;
     std::string joints;
@@ -44,6 +46,8 @@ run::RunRequest requestOf(const Options& options, std::vector<project::Assignmen
     }
     request.friction = options.friction;
     request.duration = options.duration;
+    request.distance = options.distance;
+    request.terrainHeight = options.height;
     request.step = options.step;
     request.seed = options.seed;
     if (!options.joints.empty()) {
@@ -218,6 +222,9 @@ void addRunCommand(CLI::App& app, int& exitCode) {
         ->check(CLI::Range(0.0, 5.0));
     command->add_option("--duration", options->duration, "Simulated time [s]")
         ->check(CLI::Range(1e-3, 1e5));
+    command->add_option("--distance", options->distance, "Distance that completes the run [m]")
+        ->check(CLI::Range(0.01, 1000.0));
+    command->add_option("--height", options->height, "Height of the terrain's obstacles [m]");
     command->add_option("--dt", options->step, "Engine step [s]")->check(CLI::Range(1e-5, 0.02));
     command->add_option("--seed", options->seed, "Seed of random terrain");
     command->add_option("--joints", options->joints, "Joints instead of the scenario's")

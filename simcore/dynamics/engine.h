@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -92,6 +93,10 @@ class Engine {
 
     virtual const EngineCounters& counters() const = 0;
 };
+
+/// Makes an engine for a mechanism; how a run is told which engine to use.
+using EngineMaker =
+    std::function<std::unique_ptr<Engine>(const mechanism::Mechanism&, const EngineSettings&)>;
 
 /// Turn of a joint's second body against its first about the joint's axis [rad], (-pi, pi].
 double jointAngle(const mechanism::Joint& joint, const std::vector<Pose>& poses);

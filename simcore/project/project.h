@@ -222,13 +222,13 @@ struct Sensors {
 };
 
 struct RunSettings {
-    Quantity step{0.002};    ///< engine step [s]
-    Quantity distance{3.5};  ///< chassis travel that completes the run [m]
-    Quantity duration{0.0};  ///< simulated time that ends it [s]; 0 = 2 + 1.6 distance/speed
-    Quantity settle{0.5};    ///< at rest first [s]
-    Quantity ramp{0.5};      ///< then the command rises [s]
+    Quantity step{0.002};        ///< engine step [s]
+    Quantity distance{3.5};      ///< chassis travel that completes the run [m]
+    Quantity duration{0.0};      ///< simulated time that ends it [s]; 0 = 2 + 1.6 distance/speed
+    Quantity settle{0.5};        ///< at rest first [s]
+    Quantity ramp{0.5};          ///< then the command rises [s]
     bool relaxedJoints = false;  ///< joints with the freedoms of the relaxed model
-    int seed = 1;            ///< of the sensors' noise
+    int seed = 1;                ///< of the sensors' noise
     bool operator==(const RunSettings&) const = default;
 };
 

@@ -36,6 +36,12 @@ project::Scenario withRequest(project::Scenario scenario, const RunRequest& requ
     if (request.duration) {
         scenario.run.duration = *request.duration;
     }
+    if (request.distance) {
+        scenario.run.distance = *request.distance;
+    }
+    if (request.terrainHeight) {
+        scenario.terrain.height = *request.terrainHeight;
+    }
     if (request.step) {
         scenario.run.step = *request.step;
     }
@@ -86,8 +92,8 @@ std::optional<ResolvedRun> readRun(const project::Project& project,
     run.scenario = scenario.name;
     run.controller = scenario.controller.kind;
     run.seed = scenario.run.seed;
-    run.joints = scenario.run.relaxedJoints ? dynamics::JointSet::Relaxed
-                                            : dynamics::JointSet::Built;
+    run.joints =
+        scenario.run.relaxedJoints ? dynamics::JointSet::Relaxed : dynamics::JointSet::Built;
     return run;
 }
 

@@ -44,7 +44,7 @@ double axleInertia(const mechanism::Mechanism& mechanism, const mechanism::Wheel
 }  // namespace
 
 struct Simulation::Impl {
-    explicit Impl(ResolvedRun settings);
+    Impl(ResolvedRun settings, const dynamics::EngineMaker& makeEngine);
 
     void reset();
     void step();
@@ -97,9 +97,9 @@ struct Simulation::Impl {
     double progressTime = 0.0;
 };
 
-Simulation::Impl::Impl(ResolvedRun settings)
+Simulation::Impl::Impl(ResolvedRun settings, const dynamics::EngineMaker& makeEngine)
     : run(std::move(settings)),
-      engine(dynamics::makeOdeEngine(run.mechanism, {run.step, dynamics::kGravity, run.joints})),
+      engine(makeEngine(run.mechanism, {run.step, dynamics::kGravity, run.joints})),
       contactFinder(run.mechanism, *run.terrain),
       controller(control::makeController(run.mechanism, controllerSettings(run))),
       sensors(run.mechanism, run.sensors, run.seed),
@@ -263,7 +263,8 @@ void Simulation::Impl::measure() {
     observer.observe(*engine, before, contacts, count, now.wheels);
     if (now.time > run.settle) {
         friction.observe(contacts, engine->contactForces());
-        loopErrorMax = std::max(loopErrorMax, dynamics::loopError(run.mechanism, engine->poses(), run.joints));
+        loopErrorMax =
+            std::max(loopErrorMax, dynamics::loopError(run.mechanism, engine->poses(), run.joints));
         for (const contact::Contact& contact : contacts) {
             penetrationMax = std::max(penetrationMax, contact.depth);
         }
@@ -338,7 +339,8 @@ void Simulation::Impl::checkEnd() {
     }
 }
 
-Simulation::Simulation(ResolvedRun run) : impl_(std::make_unique<Impl>(std::move(run))) {}
+Simulation::Simulation(ResolvedRun run, const dynamics::EngineMaker& makeEngine)
+    : impl_(std::make_unique<Impl>(std::move(run), makeEngine)) {}
 
 Simulation::~Simulation() = default;
 

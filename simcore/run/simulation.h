@@ -22,6 +22,8 @@ struct RunRequest {
     std::optional<project::ControllerKind> controller;
     std::optional<double> friction;
     std::optional<double> duration;
+    std::optional<double> distance;
+    std::optional<double> terrainHeight;
     std::optional<double> step;
     std::optional<int> seed;
     std::optional<bool> relaxedJoints;
@@ -92,7 +94,8 @@ struct RunReport {
 /// One run, stepped by its owner. Not thread safe: one thread makes, steps and destroys it.
 class Simulation {
   public:
-    explicit Simulation(ResolvedRun run);
+    explicit Simulation(ResolvedRun run,
+                        const dynamics::EngineMaker& makeEngine = dynamics::makeOdeEngine);
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;

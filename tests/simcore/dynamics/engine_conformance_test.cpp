@@ -1,16 +1,12 @@
 // What every engine behind the port has to do, against closed forms. An engine is tested for what
 // it says it can: free bodies always, contacts and joints by capability.
 #include <cmath>
-#include <functional>
 #include <numbers>
-#include <set>
 #include <thread>
 
 #include <gtest/gtest.h>
 
-#include "simcore/dynamics/engine.h"
-#include "tests/support/carts.h"
-#include "tests/support/free_body_engine.h"
+#include "tests/support/engine_cases.h"
 
 using namespace simcore;
 using namespace simcore::dynamics;
@@ -18,134 +14,8 @@ using namespace testsupport;
 
 namespace {
 
-enum class Can { Contacts, Joints };
-
-struct EngineCase {
-    std::string name;
-    std::set<Can> can;
-    std::function<std::unique_ptr<Engine>(const Mechanism&, const EngineSettings&)> make;
-};
-
-/// GoogleTest's name of an engine.
-void PrintTo(const EngineCase& engine, std::ostream* out) {  // NOLINT: name given by gtest
-    *out << engine.name;
-}
-
-const std::vector<EngineCase>& allEngines() {
-    static const std::vector<EngineCase> engines{
-        {"Ode", {Can::Contacts, Can::Joints}, makeOdeEngine},
-        {"FreeBody", {Can::Contacts}, makeFreeBodyEngine}};
-    return engines;
-}
-
-std::vector<EngineCase> enginesThatCan(Can what) {
-    std::vector<EngineCase> found;
-    for (const EngineCase& engine : allEngines()) {
-        if (engine.can.contains(what)) {
-            found.push_back(engine);
-        }
-    }
-    return found;
-}
-
-std::string nameOfCase(const ::testing::TestParamInfo<EngineCase>& info) {
-    return info.param.name;
-}
-
 constexpr double kStep = 0.001;
 constexpr double kGravityHere = 9.81;
-
-/// An engine with what it runs on; the torques last until they are changed.
-class World {
-  public:
-    World(const EngineCase& engine, Mechanism mechanism, double gravity, double step = kStep)
-        : mechanism_(std::move(mechanism)),
-          step_(step),
-          engine_(engine.make(mechanism_, {step, gravity})),
-          drive(mechanism_.wheels.size(), 0.0),
-          external(mechanism_.wheels.size(), 0.0) {}
-
-    /// From here on the wheels touch this ground.
-    void placeOn(const terrain::Terrain& terrain, double friction) {
-        finder_ = std::make_unique<contact::WheelContactFinder>(mechanism_, terrain);
-        friction_ = friction;
-    }
-
-    void step() {
-        if (finder_) {
-            contacts_ = finder_->find(engine_->poses());
-        }
-        frictions_.assign(contacts_.size(), friction_);
-        engine_->step({drive, external, contacts_, frictions_});
-    }
-
-    void run(double seconds) {
-        for (long i = std::lround(seconds / step_); i > 0; --i) {
-            step();
-        }
-    }
-
-    Vec3 momentum() const {
-        Vec3 sum = Vec3::Zero();
-        for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
-            sum += mechanism_.bodies[i].mass * engine_->velocities()[i].linear;
-        }
-        return sum;
-    }
-
-    /// About the world's origin.
-    Vec3 angularMomentum() const {
-        Vec3 sum = Vec3::Zero();
-        for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
-            const Body& body = mechanism_.bodies[i];
-            const BodyVelocity& velocity = engine_->velocities()[i];
-            sum += (engine_->poses()[i] * body.com).cross(body.mass * velocity.linear) +
-                   inertia(i) * velocity.angular;
-        }
-        return sum;
-    }
-
-    double kineticEnergy() const {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
-            const BodyVelocity& velocity = engine_->velocities()[i];
-            sum += 0.5 * mechanism_.bodies[i].mass * velocity.linear.squaredNorm() +
-                   0.5 * velocity.angular.dot(inertia(i) * velocity.angular);
-        }
-        return sum;
-    }
-
-    /// Sum of the contact forces along the given direction [N].
-    double contactForce(const Vec3& direction) const {
-        double sum = 0.0;
-        for (const Vec3& force : engine_->contactForces()) {
-            sum += force.dot(direction);
-        }
-        return sum;
-    }
-
-    Engine& engine() { return *engine_; }
-
-    const Mechanism& mechanism() const { return mechanism_; }
-
-  private:
-    Mat3 inertia(std::size_t body) const {
-        const Mat3 R = engine_->poses()[body].rotation.toRotationMatrix();
-        return R * mechanism_.bodies[body].inertia * R.transpose();
-    }
-
-    const Mechanism mechanism_;
-    double step_;
-    std::unique_ptr<Engine> engine_;
-    std::unique_ptr<contact::WheelContactFinder> finder_;
-    std::vector<contact::Contact> contacts_;
-    double friction_ = 0.7;
-    std::vector<double> frictions_;
-
-  public:
-    std::vector<double> drive;
-    std::vector<double> external;
-};
 
 /// A body with three different moments of inertia; it can be turned about an oblique axis.
 Mechanism makeTop() {

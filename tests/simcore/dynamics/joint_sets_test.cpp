@@ -182,9 +182,9 @@ TEST_P(JointSetTest, ReactionActsAlongHeldDirectionsOnly) {
     const Vec3 weight(0.0, 0.0, -part.mass * kGravity);
     EXPECT_LT((reaction.force + weight - part.mass * v.linear / kStep).norm(), 1e-6);
     const Vec3 arm = mechanism.joints[0].point - part.com;
-    EXPECT_LT((reaction.torque + arm.cross(reaction.force) - part.inertia * v.angular / kStep)
-                  .norm(),
-              1e-6);
+    EXPECT_LT(
+        (reaction.torque + arm.cross(reaction.force) - part.inertia * v.angular / kStep).norm(),
+        1e-6);
 }
 
 namespace {

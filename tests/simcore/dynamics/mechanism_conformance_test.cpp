@@ -1,0 +1,282 @@
+// Mechanisms with joints on every engine that has them: closed forms of linkages, energy, gears.
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/engine_cases.h"
+#include "tests/support/rovers.h"
+
+using namespace simcore;
+using namespace simcore::dynamics;
+using namespace testsupport;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+double turn(const World& world, int joint) {
+    return jointAngle(world.mechanism().joints[static_cast<std::size_t>(joint)],
+                      world.engine().poses());
+}
+
+class MechanismConformanceTest : public ::testing::TestWithParam<EngineCase> {};
+
+/// Quarter period of a pendulum released from `amplitude`, over that of small swings: 1 / agm.
+double periodFactor(double amplitude) {
+    double a = 1.0;
+    double g = std::cos(amplitude / 2.0);
+    for (int i = 0; i < 20; ++i) {
+        const double mean = 0.5 * (a + g);
+        g = std::sqrt(a * g);
+        a = mean;
+    }
+    return 1.0 / a;
+}
+
+/// A plane four-bar on a fixed frame: crank at the origin, follower at (ground, 0), both upwards.
+struct FourBar {
+    double ground = 0.30, crank = 0.10, coupler = 0.28, follower = 0.22;
+
+    /// Follower's angle to the frame for a crank angle, open branch [rad] (both from +x to +z).
+    double followerAngle(double crankAngle) const {
+        const double x = crank * std::cos(crankAngle) - ground;
+        const double z = crank * std::sin(crankAngle);
+        const double d2 = x * x + z * z;
+        const double cosine =
+            (follower * follower + d2 - coupler * coupler) / (2.0 * follower * std::sqrt(d2));
+        return std::atan2(z, x) - std::acos(cosine);
+    }
+
+    Mechanism make(double crankAngle) const {
+        const auto at = [](double x, double angle, double r) {
+            return Vec3(x + r * std::cos(angle), 0.0, r * std::sin(angle));
+        };
+        const Vec3 a = Vec3::Zero();
+        const Vec3 b = at(0.0, crankAngle, crank);
+        const Vec3 c = at(ground, followerAngle(crankAngle), follower);
+        const Vec3 d(ground, 0.0, 0.0);
+        Mechanism mechanism;
+        mechanism.bodies = {makeBody("frame", 5.0, 0.5 * d), makeBody("crank", 0.3, 0.5 * (a + b)),
+                            makeBody("coupler", 0.4, 0.5 * (b + c)),
+                            makeBody("follower", 0.35, 0.5 * (c + d))};
+        mechanism.bodies[0].fixed = true;
+        mechanism.joints = {makePin("a", 0, 1, a), makePin("b", 1, 2, b), makePin("c", 2, 3, c),
+                            makePin("d", 0, 3, d)};
+        return mechanism;
+    }
+};
+
+}  // namespace
+
+INSTANTIATE_TEST_SUITE_P(Engines, MechanismConformanceTest,
+                         ::testing::ValuesIn(enginesThatCan(Can::Joints)), nameOfCase);
+
+// A rod released level swings through its lowest point after a quarter of the large-swing period,
+// at the rate that energy gives.
+TEST_P(MechanismConformanceTest, PendulumKeepsTimeAndEnergy) {
+    const double m = 0.8;
+    const double l = 0.3;
+    const double inertia = 0.024 + m * l * l;
+    Mechanism mechanism;
+    mechanism.bodies = {makeBody("frame", 5.0, Vec3::Zero()),
+                        makeBody("rod", m, {l, 0.0, 0.0}, {1e-3, 0.024, 0.024})};
+    mechanism.bodies[0].fixed = true;
+    mechanism.joints = {makePin("pin", 0, 1, Vec3::Zero())};
+    World world(GetParam(), mechanism, kGravity, 0.0005);
+    const double quarter =
+        0.5 * kPi * std::sqrt(inertia / (m * kGravity * l)) * periodFactor(kPi / 2.0);
+    world.run(quarter);
+    EXPECT_NEAR(turn(world, 0), kPi / 2.0, 5e-3);  // a turn about +y takes +x down
+    EXPECT_NEAR(jointRate(mechanism.joints[0], world.engine().poses(), world.engine().velocities()),
+                std::sqrt(2.0 * m * kGravity * l / inertia), 5e-3);
+    world.run(quarter);
+    EXPECT_NEAR(turn(world, 0), kPi, 2e-2);
+}
+
+// The pin of a swinging rod carries its weight and the centripetal force: m g (1 + 2 m l^2 / I) at
+// the lowest point after a fall from level.
+TEST_P(MechanismConformanceTest, PinReactionIsThatOfTheSwing) {
+    const double m = 0.8;
+    const double l = 0.3;
+    const double inertia = 0.024 + m * l * l;
+    Mechanism mechanism;
+    mechanism.bodies = {makeBody("frame", 5.0, Vec3::Zero()),
+                        makeBody("rod", m, {l, 0.0, 0.0}, {1e-3, 0.024, 0.024})};
+    mechanism.bodies[0].fixed = true;
+    mechanism.joints = {makePin("pin", 0, 1, Vec3::Zero())};
+    World world(GetParam(), mechanism, kGravity, 0.0005);
+    double largest = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+        world.step();
+        largest = std::max(largest, world.engine().jointReactions()[0].force.z());
+        EXPECT_NEAR(world.engine().jointReactions()[0].torque.norm(), 0.0, 1e-6);
+    }
+    const double expected = m * kGravity * (1.0 + 2.0 * m * l * l / inertia);
+    EXPECT_NEAR(largest, expected, 5e-3 * expected);
+}
+
+// A driven crank takes the follower where the closed form of the loop says, all around.
+TEST_P(MechanismConformanceTest, FourBarFollowsItsClosedForm) {
+    const FourBar bar;
+    const double start = 1.0;
+    World world(GetParam(), bar.make(start), kGravity);
+    world.motors = {{0, -2.0, 1e6}};  // a turn about +y takes +x to -z
+    double swing = 0.0;
+    for (int i = 0; i < 3500; ++i) {
+        world.step();
+        const double crank = start - turn(world, 0);
+        const double follower = bar.followerAngle(start) - turn(world, 3);
+        ASSERT_NEAR(std::remainder(follower - bar.followerAngle(crank), 2.0 * kPi), 0.0, 2e-5)
+            << "crank at " << crank;
+        ASSERT_LT(loopError(world.mechanism(), world.engine().poses()), 1e-5);
+        swing = std::max(swing, std::abs(turn(world, 3)));
+    }
+    EXPECT_GT(swing, 0.5);
+}
+
+// A rover floating in space, its wheels spun up and its bogies swinging: with neither springs nor
+// damping its energy changes by less than 0.15 % in 10 s.
+TEST_P(MechanismConformanceTest, FloatingRoverKeepsItsEnergy) {
+    Mechanism rover = mechanismOf("bench_rover");
+    rover.springs.clear();
+    for (Joint& joint : rover.joints) {
+        joint.damping = 0.0;
+    }
+    for (const JointSet joints : {JointSet::Built, JointSet::Relaxed}) {
+        World world(GetParam(), rover, 0.0, 0.001, joints);
+        for (std::size_t i = 0; i < world.drive.size(); ++i) {
+            world.drive[i] = i % 2 == 0 ? 0.05 : -0.04;
+        }
+        world.run(0.3);
+        world.drive.assign(world.drive.size(), 0.0);
+        const double start = world.kineticEnergy();
+        const Vec3 momentum = world.momentum();
+        ASSERT_GT(start, 0.1);
+        world.run(10.0);
+        EXPECT_NEAR(world.kineticEnergy(), start, 0.0015 * start);
+        EXPECT_LT((world.momentum() - momentum).norm(), 1e-5);
+    }
+}
+
+// Four worlds in threads end as one alone: to the last bit.
+TEST_P(MechanismConformanceTest, RoversInThreadsEndAsAlone) {
+    const auto run = [&] {
+        World world(GetParam(), mechanismOf("solero"), kGravity, 0.002);
+        const terrain::Terrain ground = levelGround();
+        world.placeOn(ground, 0.7);
+        world.drive.assign(world.drive.size(), 0.3);
+        world.run(0.3);
+        return world.engine().saveState();
+    };
+    const std::vector<double> alone = run();
+    std::vector<std::vector<double>> together(4);
+    std::vector<std::thread> threads;
+    for (auto& state : together) {
+        threads.emplace_back([&state, &run] { state = run(); });
+    }
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+    for (const auto& state : together) {
+        EXPECT_EQ(state, alone);
+    }
+}
+
+namespace {
+
+/// The mirror image of a mechanism, y to -y.
+Mechanism mirrored(Mechanism mechanism) {
+    const auto point = [](Vec3& p) { p.y() = -p.y(); };
+    const auto axis = [](Vec3& a) { a = Vec3(-a.x(), a.y(), -a.z()); };
+    for (Body& body : mechanism.bodies) {
+        point(body.com);
+        body.inertia(0, 1) = body.inertia(1, 0) = -body.inertia(0, 1);
+        body.inertia(1, 2) = body.inertia(2, 1) = -body.inertia(1, 2);
+    }
+    for (Joint& joint : mechanism.joints) {
+        point(joint.point);
+        axis(joint.axis);
+        for (auto* freedoms : {&joint.built, &joint.relaxed}) {
+            for (Freedom& freedom : *freedoms) {
+                freedom.kind == FreedomKind::Turn ? axis(freedom.direction)
+                                                  : point(freedom.direction);
+            }
+        }
+    }
+    for (Wheel& wheel : mechanism.wheels) {
+        point(wheel.center);
+        axis(wheel.axis);
+    }
+    for (auto& spring : mechanism.springs) {
+        point(spring.firstPoint);
+        point(spring.secondPoint);
+    }
+    return mechanism;
+}
+
+/// Ground that differs left and right: waves that run at an angle.
+terrain::Terrain obliqueWaves(double side) {
+    constexpr double kCell = 0.02;
+    const int nx = 200;
+    const int ny = 101;
+    std::vector<double> heights;
+    for (int ix = 0; ix < nx; ++ix) {
+        for (int iy = 0; iy < ny; ++iy) {
+            const double x = -1.0 + kCell * ix;
+            const double y = side * (-1.0 + kCell * iy);
+            const double share = std::clamp((x - 0.45) / 0.3, 0.0, 1.0);
+            heights.push_back(0.02 * share * (1.0 - std::cos(9.0 * (x - 0.45) + 4.0 * y)));
+        }
+    }
+    return terrain::Terrain::grid(-1.0, -1.0, kCell, nx, ny, heights);
+}
+
+}  // namespace
+
+// A rover that is not the same left and right, on such ground, and the mirror image of both: the
+// second run is the mirror image of the first, as exactly as friction is iterated (to 5 % of a
+// limit).
+TEST_P(MechanismConformanceTest, MirroredRoverMakesTheMirroredRun) {
+    Mechanism rover = mechanismOf("solero");
+    rover.bodies[static_cast<std::size_t>(rover.chassis)].com.y() += 0.02;
+    World left(GetParam(), rover, kGravity, 0.002);
+    World right(GetParam(), mirrored(rover), kGravity, 0.002);
+    const terrain::Terrain ground = obliqueWaves(1.0);
+    const terrain::Terrain mirror = obliqueWaves(-1.0);
+    left.placeOn(ground, 0.7);
+    right.placeOn(mirror, 0.7);
+    left.drive.assign(left.drive.size(), 0.12);
+    right.drive = left.drive;
+    double away = 0.0;
+    for (int i = 0; i < 1500; ++i) {
+        left.step();
+        right.step();
+        for (std::size_t k = 0; k < rover.bodies.size(); ++k) {
+            const Vec3& p = left.engine().poses()[k].position;
+            const Vec3& q = right.engine().poses()[k].position;
+            ASSERT_LT((p - Vec3(q.x(), -q.y(), q.z())).norm(), 2e-4) << "at step " << i;
+            away = std::max(away, std::abs(p.y()));
+        }
+    }
+    EXPECT_GT(left.engine().poses()[0].position.x(), 0.2) << "it hardly drove";
+    EXPECT_GT(away, 1e-3) << "nothing was different left and right";
+}
+
+// A bevel gear between two rockers makes the chassis pitch by their mean, however it tilts: with
+// one wheel lifted, by half of that rocker's turn.
+TEST_P(MechanismConformanceTest, GearDifferentialPitchesByTheMean) {
+    Mechanism rocker = makeDifferential(-1.0);
+    rocker.joints[1] = makePin("right", 0, 2, {0.02, -0.25, 0.3});
+    World world(GetParam(), rocker, 0.0);
+    const auto pitch = [&](std::size_t body) {
+        const Eigen::Quaterniond& q = world.engine().poses()[body].rotation;
+        return 2.0 * std::atan2(q.y(), q.w());
+    };
+    std::vector<JointMotor> lift{{0, 0.5, 0.3}};
+    world.motors = lift;
+    world.run(0.5);
+    EXPECT_GT(std::abs(pitch(1) - pitch(2)), 0.1);
+    EXPECT_NEAR(pitch(0), 0.5 * (pitch(1) + pitch(2)), 1e-5);
+}
