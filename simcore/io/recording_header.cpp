@@ -39,6 +39,9 @@ Json toJson(const run::RunRequest& request) {
     }
     putOptional(json, "friction", request.friction);
     putOptional(json, "duration", request.duration);
+    putOptional(json, "distance", request.distance);
+    putOptional(json, "terrain_height", request.terrainHeight);
+    putOptional(json, "relaxed_joints", request.relaxedJoints);
     putOptional(json, "step", request.step);
     putOptional(json, "seed", request.seed);
     json["set"] = Json::array();
@@ -60,6 +63,9 @@ run::RunRequest requestFrom(const Json& json) {
     }
     request.friction = getOptional<double>(json, "friction");
     request.duration = getOptional<double>(json, "duration");
+    request.distance = getOptional<double>(json, "distance");
+    request.terrainHeight = getOptional<double>(json, "terrain_height");
+    request.relaxedJoints = getOptional<bool>(json, "relaxed_joints");
     request.step = getOptional<double>(json, "step");
     request.seed = getOptional<int>(json, "seed");
     for (const Json& pair : json.at("set")) {

@@ -18,6 +18,7 @@ using ParameterValues = std::map<std::string, double>;
 struct Assignment {
     std::string parameter;
     std::string value;
+    bool operator==(const Assignment&) const = default;
 };
 
 /// Values of all parameters: the file's, then the variant's, then `assignments`.

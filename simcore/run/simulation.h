@@ -28,6 +28,7 @@ struct RunRequest {
     std::optional<int> seed;
     std::optional<bool> relaxedJoints;
     std::vector<project::Assignment> assignments;
+    bool operator==(const RunRequest&) const = default;
 };
 
 /// Commands of a person driving.
