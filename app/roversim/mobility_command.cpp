@@ -1,10 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "app/roversim/commands.h"
 #include "simcore/io/json_format.h"
 #include "simcore/io/mobility_json.h"
-#include "simcore/mobility/mobility.h"
+#include "simcore/mobility/study.h"
 
 namespace roversim {
 
@@ -28,8 +29,65 @@ void printLine(const char* label, const std::vector<mobility::Report>& reports,
     fmt::print("\n");
 }
 
-void printTable(const std::string& rover, const std::vector<mobility::Report>& reports) {
+std::string directionText(const Vec3& d) {
+    return fmt::format("({:.3g}, {:.3g}, {:.3g})", d.x() + 0.0, d.y() + 0.0, d.z() + 0.0);
+}
+
+/// "pin_a, pin_b, pin_c"
+template <class List>
+std::string joined(const List& list) {
+    return fmt::format("{}", fmt::join(list, ", "));
+}
+
+void printMoved(const mobility::Study& study) {
+    const mobility::MovedPose& moved = study.moved;
+    fmt::print("  After a finite step: rank {}, mobility {}, redundant {}\n", moved.rank,
+               moved.mobility, moved.redundant);
+    if (const std::string text = describe(moved, study.present); !text.empty()) {
+        fmt::print("  {}\n", text);
+    }
+    for (const mobility::FreeMotion& motion : moved.motions) {
+        const char* how = motion.continuation == mobility::Continuation::Finite ? "moves on"
+                          : motion.continuation == mobility::Continuation::Branch
+                              ? "moves on together with others"
+                              : "yields only";
+        fmt::print("    {:<28} {}\n", motion.body, how);
+        for (const mobility::Inconsistency& row : motion.inconsistent) {
+            fmt::print("      inconsistent: {} {} {}, off by {:.3g} {}\n", row.constraint.element,
+                       row.constraint.kind, directionText(row.constraint.direction),
+                       row.constraint.kind == "slide" ? 1e3 * row.gap : row.gap,
+                       row.constraint.kind == "slide" ? "mm" : "rad");
+        }
+    }
+}
+
+void printLoops(const std::vector<mobility::Loop>& loops) {
+    if (loops.empty()) {
+        return;
+    }
+    fmt::print("  {:<8}{:>10}{:>6}{:>10}{:>11}  {}\n", "Loop", "Grübler", "rank", "mobility",
+               "redundant", "joints");
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+        const mobility::Loop& loop = loops[i];
+        fmt::print("  {:<8}{:>10}{:>6}{:>10}{:>11}  {}\n", i + 1, loop.gruebler, loop.rank,
+                   loop.mobility, loop.redundant, joined(loop.joints));
+    }
+}
+
+void printReactions(const std::vector<mobility::JointReaction>& reactions) {
+    fmt::print("  Reactions determined by the loads:\n");
+    for (const mobility::JointReaction& reaction : reactions) {
+        fmt::print("    {:<28} {} of {}\n", reaction.element, reaction.determined.size(),
+                   reaction.components);
+    }
+}
+
+void printTable(const std::string& rover, const std::vector<mobility::Study>& studies) {
     using R = mobility::Report;
+    std::vector<R> reports;
+    for (const mobility::Study& study : studies) {
+        reports.push_back(study.present);
+    }
     fmt::print("{}\n  {:<22}", rover, "");
     for (const R& report : reports) {
         fmt::print("{:>10}", report.model == mobility::Model::Built ? "as built" : "relaxed");
@@ -42,7 +100,8 @@ void printTable(const std::string& rover, const std::vector<mobility::Report>& r
     printLine("rank", reports, [](const R& r) { return r.rank; });
     printLine("mobility", reports, [](const R& r) { return r.mobility; });
     printLine("redundant", reports, [](const R& r) { return r.redundant; });
-    for (const R& report : reports) {
+    for (const mobility::Study& study : studies) {
+        const R& report = study.present;
         fmt::print("\n{}: {}\n", report.model == mobility::Model::Built ? "As built" : "Relaxed",
                    mobility::describe(report));
         if (!report.redundantSet.empty()) {
@@ -50,13 +109,15 @@ void printTable(const std::string& rover, const std::vector<mobility::Report>& r
                        report.removable.size(), report.redundant);
         }
         for (const mobility::ConstraintName& name : report.redundantSet) {
-            fmt::print("    {:<28} {:<5} ({:.3g}, {:.3g}, {:.3g})  share {:.2f}\n", name.element,
-                       name.kind, name.direction.x() + 0.0, name.direction.y() + 0.0,
-                       name.direction.z() + 0.0, name.share);
+            fmt::print("    {:<28} {:<5} {}  share {:.2f}\n", name.element, name.kind,
+                       directionText(name.direction), name.share);
         }
         for (const mobility::IdleFreedom& idle : report.idle) {
             fmt::print("    idle: {}\n", idle.body);
         }
+        printMoved(study);
+        printLoops(study.loops);
+        printReactions(study.reactions);
     }
 }
 
@@ -74,23 +135,23 @@ int mobilityOf(const MobilityOptions& options) {
     if (!mechanism) {
         return kAnswerIsNo;
     }
-    std::vector<mobility::Report> reports;
+    std::vector<mobility::Study> studies;
     if (options.model != "relaxed") {
-        reports.push_back(mobility::analyse(*mechanism, mobility::Model::Built));
+        studies.push_back(mobility::study(*mechanism, mobility::Model::Built));
     }
     if (options.model != "built") {
-        reports.push_back(mobility::analyse(*mechanism, mobility::Model::Relaxed));
+        studies.push_back(mobility::study(*mechanism, mobility::Model::Relaxed));
     }
     if (!options.json) {
-        printTable(mechanism->name, reports);
+        printTable(mechanism->name, studies);
         return kGood;
     }
     auto document = io::jsonDocument("roverstudio-mobility-1");
     document["rover"] = mechanism->name;
-    if (reports.size() == 1) {
-        document.update(io::toJson(reports.front()));
+    if (studies.size() == 1) {
+        document.update(io::toJson(studies.front()));
     } else {
-        document["models"] = {io::toJson(reports[0]), io::toJson(reports[1])};
+        document["models"] = {io::toJson(studies[0]), io::toJson(studies[1])};
     }
     fmt::print("{}", io::formatJson(document));
     return kGood;
@@ -101,7 +162,8 @@ int mobilityOf(const MobilityOptions& options) {
 void addMobilityCommand(CLI::App& app, int& exitCode) {
     auto options = std::make_shared<MobilityOptions>();
     CLI::App* command = app.add_subcommand(
-        "mobility", "Count and true mobility, redundant constraints, idle freedoms");
+        "mobility",
+        "Count and true mobility, redundant constraints, idle freedoms, moved pose, loops");
     command->add_option("FILE", options->file, "Project file (.rover)")->required();
     command->add_option("--model", options->model, "built or relaxed; both when not given")
         ->check(CLI::IsMember({"built", "relaxed"}));

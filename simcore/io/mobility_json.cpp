@@ -29,7 +29,103 @@ Json toJson(const std::vector<mobility::ConstraintName>& names) {
     return list;
 }
 
+const char* toText(mobility::Continuation continuation) {
+    switch (continuation) {
+        case mobility::Continuation::Finite:
+            return "finite";
+        case mobility::Continuation::Branch:
+            return "branch";
+        case mobility::Continuation::Infinitesimal:
+            return "infinitesimal";
+    }
+    return "";
+}
+
+const char* toText(mobility::Determinacy determinacy) {
+    switch (determinacy) {
+        case mobility::Determinacy::All:
+            return "all";
+        case mobility::Determinacy::Some:
+            return "some";
+        case mobility::Determinacy::None:
+            return "none";
+    }
+    return "";
+}
+
+Json finiteOrNull(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json toJson(const mobility::MovedPose& moved) {
+    Json json;
+    json["rank"] = moved.rank;
+    json["mobility"] = moved.mobility;
+    json["redundant"] = moved.redundant;
+    json["rank_gap"] = finiteOrNull(moved.rankGap);
+    json["free_motions"] = Json::array();
+    for (const mobility::FreeMotion& motion : moved.motions) {
+        Json inconsistent = Json::array();
+        for (const mobility::Inconsistency& row : motion.inconsistent) {
+            inconsistent.push_back({{"element", row.constraint.element},
+                                    {"holds", row.constraint.kind},
+                                    {"direction", toJson(row.constraint.direction)},
+                                    {"gap", row.gap}});
+        }
+        json["free_motions"].push_back({{"body", motion.body},
+                                        {"turn", toJson(motion.turn)},
+                                        {"slide", toJson(motion.slide)},
+                                        {"continuation", toText(motion.continuation)},
+                                        {"closure", motion.closure},
+                                        {"inconsistent", inconsistent}});
+    }
+    return json;
+}
+
+Json toJson(const std::vector<mobility::JointReaction>& reactions) {
+    Json list = Json::array();
+    for (const mobility::JointReaction& reaction : reactions) {
+        Json components = Json::array();
+        for (const mobility::ReactionComponent& component : reaction.determined) {
+            components.push_back({{"force", toJson(component.force)},
+                                  {"torque", toJson(component.torque)},
+                                  {"lever", component.lever}});
+        }
+        list.push_back({{"element", reaction.element},
+                        {"components", reaction.components},
+                        {"determined", toText(reaction.determinacy)},
+                        {"determined_components", components},
+                        {"undetermined", toJson(reaction.undetermined)}});
+    }
+    return list;
+}
+
+Json toJson(const std::vector<mobility::Loop>& loops) {
+    Json list = Json::array();
+    for (const mobility::Loop& loop : loops) {
+        list.push_back({{"joints", loop.joints},
+                        {"bodies", loop.bodies},
+                        {"through_world", loop.throughWorld},
+                        {"gear", loop.gear},
+                        {"columns", loop.columns},
+                        {"constraint_rows", loop.rows},
+                        {"gruebler", loop.gruebler},
+                        {"rank", loop.rank},
+                        {"mobility", loop.mobility},
+                        {"redundant", loop.redundant}});
+    }
+    return list;
+}
+
 }  // namespace
+
+nlohmann::ordered_json toJson(const mobility::Study& study) {
+    Json json = toJson(study.present);
+    json["moved"] = toJson(study.moved);
+    json["reactions"] = toJson(study.reactions);
+    json["loops"] = toJson(study.loops);
+    return json;
+}
 
 nlohmann::ordered_json toJson(const mobility::Report& report) {
     Json json;
@@ -47,7 +143,7 @@ nlohmann::ordered_json toJson(const mobility::Report& report) {
     json["rank"] = report.rank;
     json["mobility"] = report.mobility;
     json["redundant"] = report.redundant;
-    json["rank_gap"] = std::isfinite(report.rankGap) ? Json(report.rankGap) : Json(nullptr);
+    json["rank_gap"] = finiteOrNull(report.rankGap);
     json["verdict"] = mobility::describe(report);
     json["removable_constraints"] = toJson(report.removable);
     json["redundant_set"] = toJson(report.redundantSet);

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "simcore/base/problem.h"
-#include "simcore/mobility/mobility.h"
+#include "simcore/mobility/study.h"
 
 namespace simcore::io {
 
@@ -11,6 +11,9 @@ namespace simcore::io {
 /// constraint_rows rank mobility redundant removable_constraints[] redundant_set[]
 /// idle_freedoms[]`. docs/mobility.md defines them.
 nlohmann::ordered_json toJson(const mobility::Report& report);
+
+/// The same with `moved reactions[] loops[]`.
+nlohmann::ordered_json toJson(const mobility::Study& study);
 
 /// Problems as a list of `severity element reason remedy`.
 nlohmann::ordered_json toJson(const Problems& problems);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <set>
 
@@ -10,6 +9,7 @@
 #include <Eigen/QR>
 
 #include "simcore/mobility/constraint_jacobian.h"
+#include "simcore/mobility/factorisation.h"
 
 namespace simcore::mobility {
 namespace {
@@ -17,89 +17,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-// Pivots below this share of the largest count as zero; rover Jacobians have a gap of 1e10 there.
-constexpr double kRankThreshold = 1e-9;
-// Shares below this are round-off.
-constexpr double kNoShare = 1e-8;
 constexpr double kNoMotion = 1e-9;
-
-/// Rank and both null spaces from one column-pivoted QR of J^T.
-struct Factorisation {
-    Index rank = 0;
-    double gap = 0.0;
-    MatrixXd motions;     ///< columns: free motions, orthonormal
-    MatrixXd selfStress;  ///< columns: self-stress states, orthonormal
-
-    explicit Factorisation(const MatrixXd& jacobian) {
-        const Index rows = jacobian.rows();
-        const Index columns = jacobian.cols();
-        if (rows == 0) {  // nothing is held; Eigen cannot factorise an empty matrix
-            motions = MatrixXd::Identity(columns, columns);
-            selfStress = MatrixXd(0, 0);
-            return;
-        }
-        Eigen::ColPivHouseholderQR<MatrixXd> qr;
-        qr.setThreshold(kRankThreshold);
-        qr.compute(jacobian.transpose());
-        rank = qr.rank();
-        const auto pivot = [&](Index i) { return std::abs(qr.matrixQR()(i, i)); };
-        if (rank > 0) {
-            const bool hasNext = rank < std::min(rows, columns);
-            const double next = hasNext ? pivot(rank) : 0.0;
-            gap = next > 0.0 ? pivot(rank - 1) / next : std::numeric_limits<double>::infinity();
-        }
-        motions = MatrixXd::Zero(columns, columns - rank);
-        motions.bottomRows(columns - rank).setIdentity();
-        motions.applyOnTheLeft(qr.householderQ());
-
-        // J^T P = Q [R11 R12]: the self-stress states are P [-R11^-1 R12; 1].
-        const Index redundant = rows - rank;
-        MatrixXd basis(rows, redundant);
-        if (redundant > 0) {
-            basis.topRows(rank) = -qr.matrixQR().topRightCorner(rank, redundant);
-            qr.matrixQR()
-                .topLeftCorner(rank, rank)
-                .triangularView<Eigen::Upper>()
-                .solveInPlace(basis.topRows(rank));
-            basis.bottomRows(redundant).setIdentity();
-            const MatrixXd permuted = qr.colsPermutation() * basis;
-            const Eigen::HouseholderQR<MatrixXd> orthonormal(permuted);
-            basis = orthonormal.householderQ() * MatrixXd::Identity(rows, redundant);
-        }
-        selfStress = std::move(basis);
-    }
-};
-
-/// Indices of one removable set: rows whose removal leaves the rank, least wanted first.
-///
-/// A set of rows can go exactly when the self-stress states restricted to it are independent
-/// (matroid duality), so a greedy choice in order of priority finds the least wanted set.
-std::vector<std::size_t> chooseRedundantSet(const MatrixXd& selfStress,
-                                            const std::vector<Priority>& priorities) {
-    std::vector<std::size_t> order(priorities.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return static_cast<int>(priorities[a]) > static_cast<int>(priorities[b]);
-    });
-    std::vector<std::size_t> chosen;
-    MatrixXd basis(selfStress.cols(), selfStress.cols());
-    Index found = 0;
-    for (const std::size_t row : order) {
-        if (found == selfStress.cols()) {
-            break;
-        }
-        Eigen::VectorXd v = selfStress.row(static_cast<Index>(row)).transpose();
-        for (int pass = 0; pass < 2; ++pass) {  // twice is enough (Kahan, Parlett)
-            v -= basis.leftCols(found) * (basis.leftCols(found).transpose() * v);
-        }
-        if (v.norm() > 1e-6) {
-            basis.col(found++) = v.normalized();
-            chosen.push_back(row);
-        }
-    }
-    std::sort(chosen.begin(), chosen.end());
-    return chosen;
-}
 
 /// The motion of one body in a free motion of the whole.
 IdleFreedom idleOf(const std::string& body, const Eigen::Matrix<double, 6, 1>& motion) {
@@ -218,6 +136,33 @@ void countJoints(const mechanism::Mechanism& mechanism, Model model, const Stanc
 }
 
 }  // namespace
+
+std::vector<std::size_t> chooseRedundantSet(const MatrixXd& selfStress,
+                                            const std::vector<Priority>& priorities) {
+    std::vector<std::size_t> order(priorities.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return static_cast<int>(priorities[a]) > static_cast<int>(priorities[b]);
+    });
+    std::vector<std::size_t> chosen;
+    MatrixXd basis(selfStress.cols(), selfStress.cols());
+    Index found = 0;
+    for (const std::size_t row : order) {
+        if (found == selfStress.cols()) {
+            break;
+        }
+        Eigen::VectorXd v = selfStress.row(static_cast<Index>(row)).transpose();
+        for (int pass = 0; pass < 2; ++pass) {  // twice is enough (Kahan, Parlett)
+            v -= basis.leftCols(found) * (basis.leftCols(found).transpose() * v);
+        }
+        if (v.norm() > 1e-6) {
+            basis.col(found++) = v.normalized();
+            chosen.push_back(row);
+        }
+    }
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+}
 
 Report analyse(const mechanism::Mechanism& mechanism, Model model) {
     return analyse(mechanism, model, drawnStance(mechanism));

@@ -142,6 +142,20 @@ TEST_F(RoversimTest, MobilityShowsBothModelsWithoutModel) {
     ASSERT_EQ(both.at("models").size(), 2U);
 }
 
+TEST_F(RoversimTest, MobilityTellsMovedPoseLoopsAndReactions) {
+    const std::string file = "'" ROVER_SOURCE_DIR "/assets/mechanisms/bars_in_line.rover'";
+    const json found = json::parse(roversim("mobility --json --model built " + file).out);
+    EXPECT_EQ(found.at("mobility"), 1);
+    const json motion = found.at("moved").at("free_motions").at(0);
+    EXPECT_EQ(motion.at("continuation"), "infinitesimal");
+    EXPECT_EQ(motion.at("inconsistent").size(), 1U);
+    EXPECT_EQ(found.at("loops").at(0).at("redundant"), 4);
+    EXPECT_EQ(found.at("reactions").size(), 3U);
+    const Outcome table = roversim("mobility " + file);
+    EXPECT_THAT(table.out, HasSubstr("yields only"));
+    EXPECT_THAT(table.out, HasSubstr("inconsistent: pin_a slide"));
+}
+
 // Dimensions do not change the counts; a value outside its range is refused with the range named.
 TEST_F(RoversimTest, SetChangesParametersWithinTheirRange) {
     const Outcome good =

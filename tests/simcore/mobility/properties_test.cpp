@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 
 #include "simcore/mobility/constraint_system.h"
+#include "simcore/mobility/moved_pose.h"
 #include "tests/support/mechanisms.h"
 
 using namespace simcore;
@@ -15,7 +16,7 @@ using namespace testsupport;
 
 namespace {
 
-/// Between 3 and 8 bodies in a tree with a few extra loops; joints of 1 to 4 freedoms, axes partly
+/// Between 3 and 8 bodies in a tree with a few extra loops; joints of 1 to 3 freedoms, axes partly
 /// parallel so that redundancy occurs; some wheels.
 Mechanism makeRandom(unsigned seed) {
     std::mt19937 random(seed);
@@ -35,8 +36,24 @@ Mechanism makeRandom(unsigned seed) {
         const int index = static_cast<int>(mechanism.joints.size());
         Joint joint = makePin("joint" + std::to_string(index), first, second,
                               {real(-1, 1), real(-1, 1), real(0, 1)}, direction());
-        if (integer(0, 2) == 0) {
-            joint.built.push_back({FreedomKind::Slide, direction()});
+        switch (integer(0, 5)) {
+            case 0:
+                joint.built.push_back({FreedomKind::Slide, direction()});
+                break;
+            case 1:  // universal, its axes at any angle
+                joint.built.push_back(
+                    {FreedomKind::Turn, joint.axis.cross(Vec3(0.3, 0.5, 0.8)).normalized()});
+                break;
+            case 2:  // ball
+                joint.built = {{FreedomKind::Turn, Vec3::UnitX()},
+                               {FreedomKind::Turn, Vec3::UnitY()},
+                               {FreedomKind::Turn, Vec3::UnitZ()}};
+                break;
+            case 3:  // slider
+                joint.built = {{FreedomKind::Slide, direction()}};
+                break;
+            default:
+                break;
         }
         mechanism.joints.push_back(joint);
     };
@@ -190,6 +207,24 @@ TEST_P(RandomMechanismTest, MatrixIsTheDerivativeOfTheClosure) {
     Eigen::JacobiSVD<Eigen::MatrixXd> svd(differences);
     svd.setThreshold(1e-7);  // of the differences
     EXPECT_EQ(svd.rank(), analyse(mechanism, Model::Built).rank);
+}
+
+// A finite motion has no more freedoms than velocities have, and those that close keep all rows.
+TEST_P(RandomMechanismTest, ContinuedMotionsKeepEveryConstraint) {
+    const Mechanism mechanism = makeRandom(GetParam());
+    const ConstraintSystem system(mechanism, Model::Built, drawnStance(mechanism));
+    const Report report = analyse(mechanism, Model::Built);
+    const MovedPose moved = movedPose(mechanism, Model::Built, system.start());
+    EXPECT_EQ(static_cast<int>(moved.motions.size()), report.mobility);
+    EXPECT_LE(moved.mobility, report.mobility);
+    for (const FreeMotion& motion : moved.motions) {
+        if (motion.continuation != Continuation::Infinitesimal) {
+            const Eigen::VectorXd left = system.residual(motion.reached);
+            EXPECT_TRUE(left.size() == 0 || left.cwiseAbs().maxCoeff() <= 1e-12);
+        } else {
+            EXPECT_FALSE(motion.inconsistent.empty());
+        }
+    }
 }
 
 // Turning the rover about the vertical, moving it and changing its size changes no count.

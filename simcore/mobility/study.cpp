@@ -1,0 +1,34 @@
+#include "simcore/mobility/study.h"
+
+#include <fmt/format.h>
+
+namespace simcore::mobility {
+
+Study study(const mechanism::Mechanism& mechanism, Model model) {
+    return study(mechanism, model, drawnStance(mechanism));
+}
+
+Study study(const mechanism::Mechanism& mechanism, Model model, const Stance& stance) {
+    return {analyse(mechanism, model, stance), movedPose(mechanism, model, stance),
+            determinedReactions(mechanism, model, stance), findLoops(mechanism, model, stance)};
+}
+
+std::string describe(const MovedPose& moved, const Report& present) {
+    const int stuck = static_cast<int>(moved.motions.size()) - moved.moving;
+    std::string text;
+    if (stuck > 0) {
+        const std::string which = moved.moving == 0
+                                      ? "No free motion"
+                                      : fmt::format("Only {} free motions", moved.moving);
+        text = which +
+               " can be continued: it yields in this pose, but some constraints are inconsistent "
+               "after any finite step.";
+    }
+    if (moved.mobility != present.mobility) {
+        text += fmt::format("{}This pose is special: after a small real motion the mobility is {}.",
+                            text.empty() ? "" : " ", moved.mobility);
+    }
+    return text;
+}
+
+}  // namespace simcore::mobility
