@@ -1,16 +1,26 @@
 # Compiler settings shared by every target, and helpers to declare libraries and tests.
 
 add_library(rover_options INTERFACE)
-# -Wrestrict: GCC 12 reports std::string concatenation falsely (GCC bug 105329).
+# -Wrestrict: GCC 12 reports std::string concatenation falsely (GCC bug 105329); clang has none.
 # Contraction to fused multiply-add would make a run's hash depend on the optimiser.
 target_compile_options(rover_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
-    -Wimplicit-fallthrough -Wdouble-promotion -Wno-restrict -ffp-contract=off
+    -Wimplicit-fallthrough -Wdouble-promotion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off
     $<$<BOOL:${ROVER_WERROR}>:-Werror>)
 target_include_directories(rover_options INTERFACE "${CMAKE_SOURCE_DIR}")
 if(ROVER_SANITIZE)
-    target_compile_options(rover_options INTERFACE -fsanitize=${ROVER_SANITIZE} -fno-omit-frame-pointer)
+    target_compile_options(rover_options INTERFACE
+        -fsanitize=${ROVER_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+        $<$<CXX_COMPILER_ID:Clang>:-fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/sanitizer-ignore.txt>)
     target_link_options(rover_options INTERFACE -fsanitize=${ROVER_SANITIZE})
+    # The standard library's own checks, of indices above all, come with the sanitizers.
+    target_compile_definitions(rover_options INTERFACE _GLIBCXX_ASSERTIONS)
+endif()
+if(ROVER_BUILD_FUZZ)
+    if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+        message(FATAL_ERROR "ROVER_BUILD_FUZZ needs clang++ (libFuzzer); use the preset 'fuzz'")
+    endif()
+    target_compile_options(rover_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
 # rover_add_library(NAME SOURCES...): a static library with the house settings.

@@ -21,6 +21,9 @@ using project::Quantity;
 
 constexpr const char* kFormat = "roverstudio-project";
 constexpr int kVersion = 1;
+// A project nests about ten levels; this only keeps hostile files from filling the stack, since
+// JSON is written recursively.
+constexpr int kDeepestNesting = 100;
 
 /// Reads JSON into the value tree; collects every problem instead of stopping at the first.
 class Reader {
@@ -277,10 +280,16 @@ std::string lineAndColumn(std::string_view text, std::size_t byte) {
     return fmt::format("line {}, column {}", line, column);
 }
 
+/// Brackets within brackets beyond kDeepestNesting.
+struct TooDeep {};
+
 /// Parses JSON and reports keys given twice: the library would keep the last one silently.
 Json parseJson(std::string_view text, Reader& reader) {
     std::vector<std::set<std::string>> keys;
-    const auto callback = [&](int /*depth*/, nlohmann::json::parse_event_t event, Json& parsed) {
+    const auto callback = [&](int depth, nlohmann::json::parse_event_t event, Json& parsed) {
+        if (depth > kDeepestNesting) {
+            throw TooDeep{};
+        }
         if (event == Json::parse_event_t::object_start) {
             keys.emplace_back();
         } else if (event == Json::parse_event_t::object_end) {
@@ -311,6 +320,10 @@ Result<project::Project> parseProject(std::string_view text, const std::string& 
         return Problem{Severity::Critical, sourceName + ": " + lineAndColumn(text, error.byte),
                        "this is not valid JSON (" + reason + ").",
                        "Correct the text there; a comma or a quote is often missing just before."};
+    } catch (const TooDeep&) {
+        return Problem{Severity::Critical, sourceName,
+                       fmt::format("its brackets nest deeper than {} levels.", kDeepestNesting),
+                       "Correct the file; a project needs about ten."};
     } catch (const Json::exception& error) {
         return Problem{Severity::Critical, sourceName,
                        std::string("the text cannot be read (") + error.what() + ").",

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -57,7 +58,30 @@ class ParameterSolver {
   private:
     enum class Mark { Open, Done };
 
-    void visit(const Parameter& parameter) {
+    /// A parameter being valued, and how far through those it uses.
+    struct Step {
+        const Parameter* parameter;
+        std::vector<const Parameter*> uses;
+        std::size_t next = 0;
+    };
+
+    /// Values `first` after all that it uses. A stack of its own: a chain may be of any length.
+    void visit(const Parameter& first) {
+        std::vector<Step> path;
+        open(first, path);
+        while (!path.empty()) {
+            Step& step = path.back();
+            if (step.next < step.uses.size()) {
+                open(*step.uses[step.next++], path);
+            } else {
+                value(*step.parameter);
+                marks_[step.parameter->name] = Mark::Done;
+                path.pop_back();
+            }
+        }
+    }
+
+    void open(const Parameter& parameter, std::vector<Step>& path) {
         const auto [mark, isNew] = marks_.emplace(parameter.name, Mark::Open);
         if (!isNew) {
             if (mark->second == Mark::Open) {
@@ -72,20 +96,24 @@ class ParameterSolver {
                                  fmt::format("its unit '{}' is not known.", parameter.unit),
                                  "Use a unit such as mm, deg or kg; it is shown in SI now."});
         }
-        const auto found = overrides_.find(parameter.name);
-        const Quantity& quantity = found == overrides_.end() ? parameter.value : found->second;
-        value(parameter, quantity, found != overrides_.end());
-        marks_[parameter.name] = Mark::Done;
+        Step step{&parameter, {}};
+        for (const std::string& name : namesIn(quantityOf(parameter).text())) {
+            if (const Parameter* used = find(name)) {
+                step.uses.push_back(used);
+            }
+        }
+        path.push_back(std::move(step));
     }
 
-    void value(const Parameter& parameter, const Quantity& quantity, bool overridden) {
+    const Quantity& quantityOf(const Parameter& parameter) const {
+        const auto found = overrides_.find(parameter.name);
+        return found == overrides_.end() ? parameter.value : found->second;
+    }
+
+    void value(const Parameter& parameter) {
+        const Quantity& quantity = quantityOf(parameter);
         double number = quantity.literal();
         if (!quantity.isLiteral()) {
-            for (const std::string& name : namesIn(quantity.text())) {
-                if (const Parameter* used = find(name)) {
-                    visit(*used);
-                }
-            }
             const auto result = evaluator_.evaluate(quantity.text());
             if (const auto* reason = std::get_if<std::string>(&result)) {
                 problems_.push_back(parameterProblem(
@@ -101,7 +129,7 @@ class ParameterSolver {
                 parameter.name, "its value is not a finite number.", "Give a number."));
             return;
         }
-        checkRange(parameter, number, overridden);
+        checkRange(parameter, number, overrides_.contains(parameter.name));
         evaluator_.define(parameter.name, number);
         values_[parameter.name] = number;
     }

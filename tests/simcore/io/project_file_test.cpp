@@ -154,6 +154,16 @@ TEST(ProjectFileTest, KeysGivenTwiceAreRefused) {
     EXPECT_THAT(problems[0].reason, HasSubstr("'mass' is given twice"));
 }
 
+// JSON is written recursively: a message that quotes such a file would overflow the stack.
+TEST(ProjectFileTest, EndlessNestingIsRefused) {
+    const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+    for (const std::string& text :
+         {deep, R"({"format": "roverstudio-project", "version": )" + deep + "}",
+          R"({"format": "roverstudio-project", "version": 1, "rover": )" + deep + "}"}) {
+        EXPECT_THAT(problemsOf(text)[0].reason, HasSubstr("nest deeper"));
+    }
+}
+
 TEST(ProjectFileTest, MissingAndUnreadableFilesAreProblems) {
     EXPECT_THAT(loadProject("/nowhere/a.rover").problems()[0].reason, HasSubstr("no such file"));
     EXPECT_FALSE(loadProject(std::filesystem::temp_directory_path()));  // a folder

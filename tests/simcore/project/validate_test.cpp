@@ -255,6 +255,20 @@ TEST(ValidateTest, UnknownDisplayUnitIsAWarning) {
     EXPECT_THAT(problems[0].reason, HasSubstr("furlong"));
 }
 
+// However many parameters stand between one and the number it comes from.
+TEST(ResolveTest, ParametersMayFormChainsOfAnyLength) {
+    Rover rover;
+    constexpr int kLength = 50000;
+    for (int i = 0; i < kLength; ++i) {
+        rover.parameters.push_back(
+            {"p" + std::to_string(i), Quantity::expression("p" + std::to_string(i + 1) + "+1")});
+    }
+    rover.parameters.push_back({"p" + std::to_string(kLength), Quantity(0.5)});
+    const auto values = evaluateParameters(rover);
+    ASSERT_TRUE(values) << toString(values.problems());
+    EXPECT_EQ(values->at("p0"), kLength + 0.5);
+}
+
 // A wheel without shapes or inertia counts as a solid cylinder, and a point load adds m d^2 to it.
 TEST(ResolveTest, PayloadAddsToTheInertiaThatIsAssumedForAWheel) {
     Project project = cart();
