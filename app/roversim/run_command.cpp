@@ -134,9 +134,11 @@ void printTable(const run::RunReport& report) {
         1e3 * report.step);
     fmt::print("  slip {:.4f} m absolute, {:.4f} m signed; drive energy {:.2f} J\n", report.slipAbs,
                report.slipSigned, report.energy);
-    fmt::print("  friction violation {:.2f} %, loop error {:.2g} mm, penetration {:.3f} mm\n",
-               report.frictionViolationPercent, 1e3 * report.loopErrorMax,
-               1e3 * report.penetrationMax);
+    fmt::print(
+        "  friction violation {:.2f} % (worst {:.0f} %), loop error {:.2g} mm, penetration {:.3f} "
+        "mm\n",
+        report.frictionViolationPercent, report.frictionWorstPercent, 1e3 * report.loopErrorMax,
+        1e3 * report.penetrationMax);
     fmt::print("  {:.2f} solves a step, {} solver messages; state hash {}\n\n",
                report.solvesPerStep, report.solverMessages, report.stateHash);
     fmt::print("  {:<22}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "wheel", "slip [mm]", "signed [mm]",

@@ -34,6 +34,9 @@ std::optional<T> getOptional(const Json& json, const char* key) {
 Json toJson(const run::RunRequest& request) {
     Json json;
     json["scenario"] = request.scenario;
+    if (!request.folder.empty()) {
+        json["folder"] = std::filesystem::absolute(request.folder).string();
+    }
     if (request.controller) {
         json["controller"] = project::nameOf(*request.controller);
     }
@@ -54,6 +57,7 @@ Json toJson(const run::RunRequest& request) {
 run::RunRequest requestFrom(const Json& json) {
     run::RunRequest request;
     request.scenario = json.at("scenario").get<std::string>();
+    request.folder = json.value("folder", std::string());
     if (json.contains("controller")) {
         const auto name = json.at("controller").get<std::string>();
         request.controller = project::fromName<project::ControllerKind>(name);

@@ -48,6 +48,7 @@ Json toJson(const run::RunReport& report) {
     json["energy_J"] = number(report.energy);
     json["state_hash"] = report.stateHash;
     json["friction_violation_pct"] = number(report.frictionViolationPercent);
+    json["friction_worst_pct"] = number(report.frictionWorstPercent);
     json["loop_error_max_mm"] = number(1e3 * report.loopErrorMax);
     json["penetration_max_mm"] = number(1e3 * report.penetrationMax);
     json["solves_per_step"] = number(report.solvesPerStep);

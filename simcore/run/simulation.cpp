@@ -406,6 +406,7 @@ RunReport Simulation::report() const {
     report.energy = s.energy;
     report.stateHash = s.hashText();
     report.frictionViolationPercent = s.friction.violationPercent();
+    report.frictionWorstPercent = s.friction.worstPercent();
     report.loopErrorMax = s.loopErrorMax;
     report.penetrationMax = s.penetrationMax;
     const dynamics::EngineCounters& counters = s.engine->counters();

@@ -91,10 +91,11 @@ struct RunReport {
     double energy = 0.0;
     std::string stateHash;  ///< 16 hex digits
     double frictionViolationPercent = 0.0;
-    double loopErrorMax = 0.0;    ///< [m]
-    double penetrationMax = 0.0;  ///< [m]
-    double solvesPerStep = 0.0;   ///< passes until friction agrees with normal forces
-    long solverMessages = 0;      ///< complaints of the engine's solver
+    double frictionWorstPercent = 0.0;  ///< farthest outside the friction cone
+    double loopErrorMax = 0.0;          ///< [m]
+    double penetrationMax = 0.0;        ///< [m]
+    double solvesPerStep = 0.0;         ///< passes until friction agrees with normal forces
+    long solverMessages = 0;            ///< complaints of the engine's solver
 };
 
 /// One run, stepped by its owner. Not thread safe: one thread makes, steps and destroys it.

@@ -151,6 +151,7 @@ void FrictionMeter::observe(std::span<const contact::Contact> contacts,
     started_ = true;
     // A patch is all contacts of one wheel on one face: the slices' contacts with like normals.
     constexpr double kSameFace = 0.95;  // cosine
+    constexpr double kSlack = 0.2;      // [N]
     std::vector<bool> used(contacts.size(), false);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         if (used[i]) {
@@ -173,12 +174,17 @@ void FrictionMeter::observe(std::span<const contact::Contact> contacts,
         }
         if (load > smallestLoad_) {
             ++pending_.patches;
-            pending_.outside += tangential.norm() > 1.1 * limit + 0.2 ? 1 : 0;
+            if (limit > 0.0) {
+                pending_.worst =
+                    std::max(pending_.worst, (tangential.norm() - kSlack) / limit - 1.0);
+            }
+            pending_.outside += tangential.norm() > 1.1 * limit + kSlack ? 1 : 0;
         }
     }
     if (obstacle) {
         certain_.patches += pending_.patches;
         certain_.outside += pending_.outside;
+        certain_.worst = std::max(certain_.worst, pending_.worst);
         pending_ = {};
     }
 }
@@ -187,6 +193,10 @@ double FrictionMeter::violationPercent() const {
     return certain_.patches > 0 ? 100.0 * static_cast<double>(certain_.outside) /
                                       static_cast<double>(certain_.patches)
                                 : 0.0;
+}
+
+double FrictionMeter::worstPercent() const {
+    return 100.0 * certain_.worst;
 }
 
 }  // namespace simcore::run

@@ -60,11 +60,14 @@ class FrictionMeter {
     void observe(std::span<const contact::Contact> contacts, std::span<const Vec3> forces,
                  std::span<const double> frictions);
     double violationPercent() const;
+    /// How far the worst patch was outside its cone, after a slack of 0.2 N.
+    double worstPercent() const;
 
   private:
     struct Count {
         long patches = 0;
         long outside = 0;
+        double worst = 0.0;  ///< largest (|T| - slack) / (mu N) - 1
     };
 
     bool onObstacle(std::span<const contact::Contact> contacts) const;

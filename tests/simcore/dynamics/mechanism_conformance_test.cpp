@@ -136,6 +136,25 @@ TEST_P(MechanismConformanceTest, FourBarFollowsItsClosedForm) {
     EXPECT_GT(swing, 0.5);
 }
 
+// Bennett's loop turns all around and stays closed, although it counts as held.
+TEST_P(MechanismConformanceTest, BennettStaysClosed) {
+    const Mechanism mechanism = mechanismOf("../mechanisms/bennett");
+    World world(GetParam(), mechanism, 0.0);
+    world.motors = {{0, 2.0, 1e6}};
+    std::vector<double> widest(4, 0.0);
+    for (int i = 0; i < 3500; ++i) {
+        world.step();
+        ASSERT_LT(loopError(mechanism, world.engine().poses()), 1e-5) << "at step " << i;
+        for (int k = 0; k < 4; ++k) {
+            double& w = widest[static_cast<std::size_t>(k)];
+            w = std::max(w, std::abs(turn(world, k)));
+        }
+    }
+    for (const double w : widest) {
+        EXPECT_GT(w, 3.0) << "every hinge turns all around";
+    }
+}
+
 // A rover floating in space, its wheels spun up and its bogies swinging: with neither springs nor
 // damping its energy changes by less than 0.15 % in 10 s.
 TEST_P(MechanismConformanceTest, FloatingRoverKeepsItsEnergy) {

@@ -55,6 +55,7 @@ class RecordingTest : public ::testing::Test {
         header.request.controller = project::ControllerKind::Manual;
         header.request.friction = 0.1 + 0.2;
         header.request.seed = -3;
+        header.request.folder = "/rovers/mine";
         header.request.distance = 1.7;
         header.request.terrainHeight = 0.08;
         header.request.step = 0.001;
