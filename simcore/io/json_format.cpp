@@ -10,7 +10,11 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kLineWidth = 110;
 
 std::string scalar(const Json& value) {
-    return value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump();
+    if (!value.is_number_float()) {
+        return value.dump();
+    }
+    const std::string text = fmt::format("{}", value.get<double>());
+    return text == "-0" ? "-0.0" : text;  // "-0" would be read as a whole number, without its sign
 }
 
 std::string inlined(const Json& value) {

@@ -103,7 +103,8 @@ std::set<std::string> namesIn(const std::string& expression) {
 }
 
 bool isParameterName(const std::string& name) {
-    if (name.empty() || !startsName(name[0])) {
+    constexpr std::size_t kLongest = 100;  // muParser takes no longer identifier
+    if (name.empty() || name.size() > kLongest || !startsName(name[0])) {
         return false;
     }
     for (char c : name) {

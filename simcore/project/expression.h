@@ -32,8 +32,8 @@ class ExpressionEvaluator {
 /// Names (identifiers not followed by a bracket) that occur in an expression.
 std::set<std::string> namesIn(const std::string& expression);
 
-/// True when `name` can be used as a parameter name: letters, digits, underscore, no leading digit,
-/// not a function or constant of the expression language.
+/// True when `name` can be used as a parameter name: at most 100 letters, digits, underscores, no
+/// leading digit, not a function or constant of the expression language.
 bool isParameterName(const std::string& name);
 
 }  // namespace simcore::project

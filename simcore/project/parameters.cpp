@@ -25,10 +25,11 @@ class ParameterSolver {
         : overrides_(std::move(overrides)) {
         for (const Parameter& parameter : rover.parameters) {
             if (!isParameterName(parameter.name)) {
-                problems_.push_back(parameterProblem(
-                    parameter.name, "this name cannot be used in expressions.",
-                    "Use letters, digits and underscores, not starting with a digit and not the "
-                    "name of a function."));
+                problems_.push_back(
+                    parameterProblem(parameter.name, "this name cannot be used in expressions.",
+                                     "Use up to 100 letters, digits and underscores, not starting "
+                                     "with a digit and not the "
+                                     "name of a function."));
             } else if (!byName_.emplace(parameter.name, &parameter).second) {
                 problems_.push_back(parameterProblem(parameter.name, "the name is used twice.",
                                                      "Rename one of them."));

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -86,7 +87,9 @@ TEST(ProjectFileTest, NumbersReadBackExactly) {
         project.rover.bodies[0].com[0] = value;
         const auto again = parseProject(formatProject(project), "again");
         ASSERT_TRUE(again) << value;
-        EXPECT_EQ(again->rover.bodies[0].com[0].literal(), value);
+        const double read = again->rover.bodies[0].com[0].literal();
+        EXPECT_EQ(read, value);
+        EXPECT_EQ(std::signbit(read), std::signbit(value)) << value;
     }
 }
 

@@ -56,6 +56,9 @@ std::vector<Mistake> mistakes() {
          "parameter wheel_radius", "used twice"},
         {"ParameterNamedLikeAFunction", [](Project& p) { p.rover.parameters[1].name = "sin"; },
          "parameter sin", "cannot be used"},
+        {"ParameterWithAnEndlessName",
+         [](Project& p) { p.rover.parameters[1].name = std::string(101, 'a'); }, "parameter aaaa",
+         "cannot be used"},
         {"ParameterOutOfRange", [](Project& p) { p.rover.parameters[0].value = 2.0; },
          "parameter wheel_radius", "above its maximum"},
         {"MinimumAboveMaximum", [](Project& p) { p.rover.parameters[0].minimum = 0.6; },
@@ -257,13 +260,15 @@ TEST(ValidateTest, UnknownDisplayUnitIsAWarning) {
 
 // However many parameters stand between one and the number it comes from.
 TEST(ResolveTest, ParametersMayFormChainsOfAnyLength) {
-    Rover rover;
     constexpr int kLength = 50000;
-    for (int i = 0; i < kLength; ++i) {
-        rover.parameters.push_back(
-            {"p" + std::to_string(i), Quantity::expression("p" + std::to_string(i + 1) + "+1")});
+    Rover rover;
+    rover.parameters.resize(kLength + 1);
+    for (int i = 0; i <= kLength; ++i) {
+        Parameter& parameter = rover.parameters[static_cast<std::size_t>(i)];
+        parameter.name = "p" + std::to_string(i);
+        parameter.value =
+            i < kLength ? Quantity::expression("p" + std::to_string(i + 1) + "+1") : Quantity(0.5);
     }
-    rover.parameters.push_back({"p" + std::to_string(kLength), Quantity(0.5)});
     const auto values = evaluateParameters(rover);
     ASSERT_TRUE(values) << toString(values.problems());
     EXPECT_EQ(values->at("p0"), kLength + 0.5);
