@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <optional>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
@@ -16,6 +19,7 @@ namespace {
 struct MobilityOptions {
     std::string file;
     std::string model;
+    std::string steering;
     std::vector<std::string> set;
     bool json = false;
 };
@@ -121,6 +125,17 @@ void printTable(const std::string& rover, const std::vector<mobility::Study>& st
     }
 }
 
+/// As built, with the steering joints freed; nothing for a rover that does not steer.
+std::optional<mobility::Report> withSteeringFreed(
+    const project::Project& project, const std::vector<project::Assignment>& assignments) {
+    const auto mechanism = project::resolve(project, "", assignments, project::Steering::Free);
+    const auto steered = [](const mechanism::Wheel& wheel) { return wheel.steering >= 0; };
+    if (!mechanism || std::none_of(mechanism->wheels.begin(), mechanism->wheels.end(), steered)) {
+        return std::nullopt;
+    }
+    return mobility::analyse(*mechanism, mobility::Model::Built);
+}
+
 int mobilityOf(const MobilityOptions& options) {
     const auto project = loadOrComplain(options.file);
     const auto assignments = parseAssignments(options.set);
@@ -130,7 +145,9 @@ int mobilityOf(const MobilityOptions& options) {
     if (!project) {
         return kAnswerIsNo;
     }
-    const auto mechanism = project::resolve(*project, "", *assignments);
+    const auto mechanism = project::resolve(
+        *project, "", *assignments,
+        options.steering == "free" ? project::Steering::Free : project::Steering::Locked);
     printProblems(options.file, mechanism.problems());
     if (!mechanism) {
         return kAnswerIsNo;
@@ -142,8 +159,18 @@ int mobilityOf(const MobilityOptions& options) {
     if (options.model != "built") {
         studies.push_back(mobility::study(*mechanism, mobility::Model::Relaxed));
     }
+    std::optional<mobility::Report> freed;
+    if (options.steering != "free") {
+        freed = withSteeringFreed(*project, *assignments);
+    }
     if (!options.json) {
         printTable(mechanism->name, studies);
+        if (freed) {
+            fmt::print(
+                "\nWith steering freed, as built, the Grübler count is {}: --steering free "
+                "tells more.\n",
+                freed->gruebler);
+        }
         return kGood;
     }
     auto document = io::jsonDocument("roverstudio-mobility-1");
@@ -152,6 +179,9 @@ int mobilityOf(const MobilityOptions& options) {
         document.update(io::toJson(studies.front()));
     } else {
         document["models"] = {io::toJson(studies[0]), io::toJson(studies[1])};
+    }
+    if (freed) {
+        document["gruebler_steering_free"] = freed->gruebler;
     }
     fmt::print("{}", io::formatJson(document));
     return kGood;
@@ -167,6 +197,8 @@ void addMobilityCommand(CLI::App& app, int& exitCode) {
     command->add_option("FILE", options->file, "Project file (.rover)")->required();
     command->add_option("--model", options->model, "built or relaxed; both when not given")
         ->check(CLI::IsMember({"built", "relaxed"}));
+    command->add_option("--steering", options->steering, "locked (default) or free joints")
+        ->check(CLI::IsMember({"locked", "free"}));
     command->add_option("--set", options->set, "NAME=VALUE, set a parameter (may be repeated)")
         ->allow_extra_args(false);
     command->add_flag("--json", options->json, "Print JSON");

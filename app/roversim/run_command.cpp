@@ -12,6 +12,7 @@
 #include "simcore/io/recording.h"
 #include "simcore/io/run_report_json.h"
 #include "simcore/project/names.h"
+#include "simcore/run/drive_script.h"
 #include "simcore/run/sampler.h"
 #include "simcore/run/simulation.h"
 
@@ -33,6 +34,7 @@ struct Options {
     std::optional<int> seed;
     std::string joints;
     std::vector<std::string> set;
+    std::string drive;
     std::string csv;
     std::string record;
     bool json = false;
@@ -87,7 +89,8 @@ class Progress {
 
 /// Drives to the end; `writer` takes the recording as it comes, and only what a table needs is
 /// kept.
-run::Recording drive(run::Simulation& simulation, io::RecordingWriter* writer, bool keepRows) {
+run::Recording drive(run::Simulation& simulation, const run::DriveScript& script,
+                     io::RecordingWriter* writer, bool keepRows) {
     run::Recording recording;
     recording.channels = run::makeChannels(simulation.settings().mechanism);
     run::Sampler sampler(simulation.settings().mechanism);
@@ -110,7 +113,16 @@ run::Recording drive(run::Simulation& simulation, io::RecordingWriter* writer, b
         frames.clear();
     };
     Progress progress;
+    run::ManualCommand commanded;
     while (!simulation.finished()) {
+        const run::ManualCommand command = run::commandAt(script, simulation.snapshot().time);
+        if (command != commanded) {
+            commanded = command;
+            simulation.setManualCommand(command);
+            if (writer != nullptr) {
+                writer->add(io::TimedCommand{simulation.snapshot().step, command});
+            }
+        }
         simulation.step();
         sampler.take(simulation.snapshot());
         pass();
@@ -155,6 +167,15 @@ int runScenario(const Options& options) {
     if (!assignments) {
         return kWrongUse;
     }
+    run::DriveScript script;
+    if (!options.drive.empty()) {
+        auto parsed = run::parseDriveScript(options.drive);
+        if (!parsed) {
+            printProblems("--drive", parsed.problems());
+            return kWrongUse;
+        }
+        script = std::move(parsed).value();
+    }
     const auto project = loadOrComplain(options.file);
     if (!project) {
         return kAnswerIsNo;
@@ -171,6 +192,12 @@ int runScenario(const Options& options) {
                    "--duration, or another --controller\n");
         return kWrongUse;
     }
+    if (prepared->controller != project::ControllerKind::Manual && !script.empty()) {
+        fmt::print(stderr,
+                   "roversim: --drive is for the manual controller: add --controller "
+                   "manual\n");
+        return kWrongUse;
+    }
     run::Simulation simulation(std::move(prepared).value());
     std::unique_ptr<io::RecordingWriter> writer;
     if (!options.record.empty()) {
@@ -183,7 +210,7 @@ int runScenario(const Options& options) {
         }
         writer = std::move(created).value();
     }
-    const run::Recording recording = drive(simulation, writer.get(), !options.csv.empty());
+    const run::Recording recording = drive(simulation, script, writer.get(), !options.csv.empty());
     const run::RunReport report = simulation.report();
     bool recorded = true;
     if (writer) {
@@ -234,6 +261,8 @@ void addRunCommand(CLI::App& app, int& exitCode) {
         ->check(CLI::IsMember({"built", "relaxed"}));
     command->add_option("--set", options->set, "NAME=VALUE, set a parameter (may be repeated)")
         ->allow_extra_args(false);
+    command->add_option("--drive", options->drive,
+                        "Commands of a manual run: TIME,SPEED,TURN; ... [s, m/s, rad/s]");
     command->add_option("--csv", options->csv, "Write all channels to this file");
     command->add_option("--record", options->record, "Write a recording (.roverrec) to this file");
     command->add_flag("--json", options->json, "Print JSON");

@@ -16,7 +16,7 @@ namespace simcore::control {
 /// What is asked of the rover now.
 struct DriveCommand {
     double speed = 0.0;  ///< [m/s], + forward
-    double turn = 0.0;   ///< [rad/s], + left; only Manual uses it
+    double turn = 0.0;   ///< yaw rate [rad/s], + left; EqualTorque does not turn
     /// Standing still on purpose (settling): hold the wheels.
     bool brake = false;
 };
@@ -35,6 +35,7 @@ struct WheelCommand {
     double proportional = 0.0;  ///< of the loop [N m s/rad]
     double integral = 0.0;      ///< of the loop [N m/rad]
     double torqueCap = 0.0;     ///< |torque| stays below [N m]
+    double steering = 0.0;      ///< turn of the steering joint to take up [rad]
 };
 
 /// Gains of a wheel's loop: full torque at 2 rad/s of error, and after 0.2 rad of accumulated error
@@ -45,7 +46,9 @@ inline constexpr double kLoopIntegral = 5.0;
 struct ControllerSettings {
     project::ControllerKind kind = project::ControllerKind::Speed;
     double assumedFriction = 0.5;
-    double period = 0.01;  ///< [s]
+    double period = 0.01;                                          ///< [s]
+    project::SteeringMode steering = project::SteeringMode::Auto;  ///< Speed, Manual
+    bool headingHold = false;                                      ///< Speed, Manual
     /// 0 = derived from the rover, see each controller.
     double proportional = 0.0;
     double integral = 0.0;
@@ -61,8 +64,9 @@ class Controller {
                         std::span<WheelCommand> wheels) = 0;
 };
 
-/// Every wheel at rover speed / radius by a PI loop per wheel; Manual adds v = turn x track for
-/// skid steering. Default gains kLoopProportional and kLoopIntegral; see docs/controllers.md.
+/// Every wheel rolls as the rover's speed and turn want it (steering.h), by a PI loop per wheel;
+/// Manual parks a rover that nobody drives. Default gains kLoopProportional and kLoopIntegral; see
+/// docs/controllers.md.
 std::unique_ptr<Controller> makeSpeedController(const mechanism::Mechanism& mechanism,
                                                 const ControllerSettings& settings);
 

@@ -62,8 +62,11 @@ struct Joint {
 struct Wheel {
     std::string name;
     int body = -1;
-    int axle = -1;     ///< joint index
-    int carrier = -1;  ///< body that holds the axle
+    int axle = -1;      ///< joint index
+    int carrier = -1;   ///< body that holds the axle
+    int steering = -1;  ///< joint index of the pin that steers it; -1 = none, or welded
+    double steeringTorqueLimit = 0.0;  ///< of its servo [N m]
+    double steeringSpeedLimit = 0.0;   ///< of its servo [rad/s]
     Vec3 center = Vec3::Zero();
     /// Unit, points to the rover's left (y > 0): a positive turn about it rolls forward.
     Vec3 axis = Vec3::UnitY();

@@ -65,6 +65,12 @@ void describe(V& v, const Motor*) {
 }
 
 template <class V>
+void describe(V& v, const SteeringMotor*) {
+    v.optional("torque_limit", &SteeringMotor::torqueLimit);
+    v.optional("speed_limit", &SteeringMotor::speedLimit);
+}
+
+template <class V>
 void describe(V& v, const Wheel*) {
     v.required("name", &Wheel::name);
     v.optional("mirror", &Wheel::mirror);
@@ -76,6 +82,7 @@ void describe(V& v, const Wheel*) {
     v.optional("motor", &Wheel::motor);
     v.optional("relaxed_lateral", &Wheel::relaxedLateral);
     v.optional("steering", &Wheel::steering);
+    v.optional("steering_motor", &Wheel::steeringMotor);
 }
 
 template <class V>
@@ -176,6 +183,9 @@ template <class V>
 void describe(V& v, const Controller*) {
     v.required("kind", &Controller::kind);
     v.optional("speed", &Controller::speed);
+    v.optional("turn", &Controller::turn);
+    v.optional("steering", &Controller::steering);
+    v.optional("heading_hold", &Controller::headingHold);
     v.optional("assumed_friction", &Controller::assumedFriction);
     v.optional("period", &Controller::period);
     v.optional("proportional", &Controller::proportional);

@@ -37,6 +37,9 @@ constexpr std::array<Table<ControllerKind>, 3> kControllers{
     {{ControllerKind::Speed, "speed"},
      {ControllerKind::EqualTorque, "equal-torque"},
      {ControllerKind::Manual, "manual"}}};
+constexpr std::array<Table<SteeringMode>, 3> kSteering{{{SteeringMode::Auto, "auto"},
+                                                        {SteeringMode::Skid, "skid"},
+                                                        {SteeringMode::Ackermann, "ackermann"}}};
 
 template <class Enum, std::size_t N>
 std::string nameIn(const std::array<Table<Enum>, N>& table, Enum value) {
@@ -90,6 +93,10 @@ std::string nameOf(ControllerKind kind) {
     return nameIn(kControllers, kind);
 }
 
+std::string nameOf(SteeringMode mode) {
+    return nameIn(kSteering, mode);
+}
+
 template <>
 std::optional<ShapeKind> fromName<ShapeKind>(std::string_view name) {
     return findIn(kShapes, name);
@@ -116,6 +123,11 @@ std::optional<ControllerKind> fromName<ControllerKind>(std::string_view name) {
 }
 
 template <>
+std::optional<SteeringMode> fromName<SteeringMode>(std::string_view name) {
+    return findIn(kSteering, name);
+}
+
+template <>
 std::vector<std::string> allNames<ShapeKind>() {
     return namesOf(kShapes);
 }
@@ -138,6 +150,11 @@ std::vector<std::string> allNames<UpAxis>() {
 template <>
 std::vector<std::string> allNames<ControllerKind>() {
     return namesOf(kControllers);
+}
+
+template <>
+std::vector<std::string> allNames<SteeringMode>() {
+    return namesOf(kSteering);
 }
 
 }  // namespace simcore::project

@@ -16,6 +16,7 @@ std::string nameOf(TerrainKind kind);
 std::string nameOf(Sides sides);
 std::string nameOf(UpAxis axis);
 std::string nameOf(ControllerKind kind);
+std::string nameOf(SteeringMode mode);
 
 /// The enumerator with that name, or nothing.
 template <class Enum>
@@ -30,6 +31,8 @@ template <>
 std::optional<UpAxis> fromName<UpAxis>(std::string_view name);
 template <>
 std::optional<ControllerKind> fromName<ControllerKind>(std::string_view name);
+template <>
+std::optional<SteeringMode> fromName<SteeringMode>(std::string_view name);
 
 /// All names of an enumeration, for messages and choosers.
 template <class Enum>
@@ -44,5 +47,7 @@ template <>
 std::vector<std::string> allNames<UpAxis>();
 template <>
 std::vector<std::string> allNames<ControllerKind>();
+template <>
+std::vector<std::string> allNames<SteeringMode>();
 
 }  // namespace simcore::project

@@ -86,6 +86,13 @@ struct Motor {
     bool operator==(const Motor&) const = default;
 };
 
+/// Servo of a wheel's steering joint.
+struct SteeringMotor {
+    Quantity torqueLimit;      ///< [N m]; 0 = that of the wheel's motor
+    Quantity speedLimit{1.0};  ///< [rad/s], assumed: 90 deg in 1.6 s
+    bool operator==(const SteeringMotor&) const = default;
+};
+
 struct Wheel {
     std::string name;
     bool mirror = false;
@@ -96,7 +103,8 @@ struct Wheel {
     int grousers = 18;  ///< drawn only
     Motor motor;
     bool relaxedLateral = false;  ///< relaxed model: lateral slide freed
-    std::string steering;         ///< optional steering joint
+    std::string steering;         ///< optional steering joint; welded unless a controller steers
+    SteeringMotor steeringMotor;
     bool operator==(const Wheel&) const = default;
 };
 
@@ -234,9 +242,16 @@ struct Soil {
 
 enum class ControllerKind { Speed, EqualTorque, Manual };
 
+/// How a controller turns the rover: by speeds alone; by steering joints alone; or by steering
+/// joints where there are any, helped by speeds where their stops are in the way.
+enum class SteeringMode { Auto, Skid, Ackermann };
+
 struct Controller {
     ControllerKind kind = ControllerKind::Speed;
-    Quantity speed{0.1};            ///< rover speed along the chassis [m/s]
+    Quantity speed{0.1};                         ///< rover speed along the chassis [m/s]
+    Quantity turn;                               ///< Speed: yaw rate [rad/s], + left
+    SteeringMode steering = SteeringMode::Auto;  ///< Speed, Manual
+    bool headingHold = false;       ///< Speed, Manual: keep the heading while no turn is asked
     Quantity assumedFriction{0.5};  ///< traction cap |tau| <= assumed_mu N R [-]; 0 = no cap
     Quantity period{0.01};          ///< [s]
     Quantity proportional;  ///< Speed: per wheel [N m s/rad]; EqualTorque: [N m s/m]; 0 = derived

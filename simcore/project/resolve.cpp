@@ -19,6 +19,9 @@ namespace {
 using mechanism::MassProperties;
 using mechanism::Mechanism;
 
+/// A steering axis is at most 45 deg from the vertical: beyond, it would not steer (assumed).
+constexpr double kUpright = 0.7071;
+
 /// Values quantities and collects what is wrong with them.
 class Valuer {
   public:
@@ -124,6 +127,13 @@ struct Part {
     bool fixed = false;
 };
 
+/// A joint as the file has it, welded or not; parts instead of bodies.
+struct FileJoint {
+    mechanism::Joint joint;
+    bool locked = false;  ///< by the file, not for want of a controller that steers
+    bool welded = false;
+};
+
 /// Disjoint sets of part indices.
 class Merger {
   public:
@@ -162,8 +172,9 @@ bool isPin(const mechanism::Joint& joint) {
 
 class Resolver {
   public:
-    Resolver(const Rover& rover, const ParameterValues& parameters)
+    Resolver(const Rover& rover, const ParameterValues& parameters, Steering steering)
         : rover_(rover),
+          steering_(steering),
           value_(parameters, problems_) {}
 
     Result<Mechanism> run() {
@@ -188,9 +199,12 @@ class Resolver {
     void readParts();
     void readPayloads();
     void readJoints();
-    void mergeParts(const std::vector<std::pair<int, int>>& jointParts,
-                    const std::vector<bool>& welded);
+    void weldSteering();
+    void mergeParts();
     void readWheels();
+    void readSteering(const Wheel& wheel, const std::string& element, Side side,
+                      mechanism::Wheel& out);
+    bool carriesWheel(int steering, int axle) const;
     void finishBodies();
     void readSprings();
     void readGears();
@@ -236,6 +250,7 @@ class Resolver {
     }
 
     const Rover& rover_;
+    const Steering steering_;
     Problems problems_;
     Valuer value_;
     Mechanism mechanism_;
@@ -245,6 +260,8 @@ class Resolver {
     std::vector<std::pair<int, MassProperties>> payloads_;  ///< part, what it carries
     /// Joint names of the file to mechanism joints; locked ones are known as kLocked.
     NameIndex jointIndex_;
+    NameIndex fileJointIndex_;  ///< joint names of the file to fileJoints_
+    std::vector<FileJoint> fileJoints_;
     static constexpr int kLocked = 1 << 20;
 };
 
@@ -400,16 +417,14 @@ void Resolver::readFreedoms(const Joint& joint, const std::string& element, Side
 }
 
 void Resolver::readJoints() {
-    std::vector<std::pair<int, int>> jointParts;
-    std::vector<bool> welded;
     for (const auto& copy : expandMirrored(rover_.joints)) {
         const Joint& joint = *copy.element;
         const std::string element = "joint " + copy.name;
         mechanism::Joint out;
         out.name = copy.name;
-        const int first = findPart(joint.first, copy.side, element);
-        const int second = findPart(joint.second, copy.side, element);
-        if (first >= 0 && first == second) {
+        out.first = findPart(joint.first, copy.side, element);
+        out.second = findPart(joint.second, copy.side, element);
+        if (out.first >= 0 && out.first == out.second) {
             value_.critical(element, "it joins a body to itself.", "Name two bodies.");
         }
         out.point = mirroredPoint(value_(joint.point, element, "point"), copy.side);
@@ -434,45 +449,57 @@ void Resolver::readJoints() {
             out.stops = {low, high};
         }
         out.damping = value_.notNegative(joint.damping, element, "damping", "torsional damping");
-        const bool weld = joint.locked || joint.free.empty();
-        jointParts.emplace_back(first, second);
-        welded.push_back(weld);
-        const int index = weld ? kLocked : static_cast<int>(mechanism_.joints.size());
-        if (copy.name.empty() || !jointIndex_.add(copy.name, index)) {
+        const bool locked = joint.locked || joint.free.empty();
+        if (copy.name.empty() ||
+            !fileJointIndex_.add(copy.name, static_cast<int>(fileJoints_.size()))) {
             value_.critical(element,
                             copy.name.empty() ? "it has no name." : "the name is used twice.",
                             "Give every joint its own name.");
         }
-        if (!weld) {
-            mechanism_.joints.push_back(std::move(out));
-        }
+        fileJoints_.push_back({std::move(out), locked, locked});
     }
-    mergeParts(jointParts, welded);
-    std::size_t joint = 0;
-    for (std::size_t i = 0; i < jointParts.size(); ++i) {
-        if (!welded[i]) {
-            mechanism::Joint& out = mechanism_.joints[joint++];
-            out.first = bodyOfPart(jointParts[i].first);
-            out.second = bodyOfPart(jointParts[i].second);
-            if (out.first >= 0 && out.first == out.second &&
-                jointParts[i].first != jointParts[i].second) {
-                value_.critical("joint " + out.name, "it joins two parts that are welded together.",
-                                "Remove the joint, or unlock the other one.");
-            } else if (isFixed(out.first) && isFixed(out.second) && out.first != out.second) {
-                value_.critical("joint " + out.name,
-                                "both its bodies are fixed: it has nothing to hold.",
-                                "Remove the joint, or let one of the bodies go.");
-            }
+    if (steering_ == Steering::Locked) {
+        weldSteering();
+    }
+    mergeParts();
+    for (const FileJoint& one : fileJoints_) {
+        if (one.welded) {
+            jointIndex_.add(one.joint.name, kLocked);
+            continue;
+        }
+        jointIndex_.add(one.joint.name, static_cast<int>(mechanism_.joints.size()));
+        mechanism_.joints.push_back(one.joint);
+        mechanism::Joint& out = mechanism_.joints.back();
+        out.first = bodyOfPart(one.joint.first);
+        out.second = bodyOfPart(one.joint.second);
+        if (out.first >= 0 && out.first == out.second && one.joint.first != one.joint.second) {
+            value_.critical("joint " + out.name, "it joins two parts that are welded together.",
+                            "Remove the joint, or unlock the other one.");
+        } else if (isFixed(out.first) && isFixed(out.second) && out.first != out.second) {
+            value_.critical("joint " + out.name,
+                            "both its bodies are fixed: it has nothing to hold.",
+                            "Remove the joint, or let one of the bodies go.");
         }
     }
 }
 
-void Resolver::mergeParts(const std::vector<std::pair<int, int>>& jointParts,
-                          const std::vector<bool>& welded) {
+void Resolver::weldSteering() {
+    for (const auto& copy : expandMirrored(rover_.wheels)) {
+        // One that is not found is reported with its wheel.
+        const int joint = copy.element->steering.empty()
+                              ? -1
+                              : fileJointIndex_.find(copy.element->steering, copy.side);
+        if (joint >= 0) {
+            fileJoints_[static_cast<std::size_t>(joint)].welded = true;
+        }
+    }
+}
+
+void Resolver::mergeParts() {
     Merger merger(parts_.size());
-    for (std::size_t i = 0; i < jointParts.size(); ++i) {
-        if (welded[i] && jointParts[i].first >= 0 && jointParts[i].second >= 0) {
-            merger.merge(jointParts[i].first, jointParts[i].second);
+    for (const FileJoint& one : fileJoints_) {
+        if (one.welded && one.joint.first >= 0 && one.joint.second >= 0) {
+            merger.merge(one.joint.first, one.joint.second);
         }
     }
     bodyOfPart_.assign(parts_.size(), -1);
@@ -524,7 +551,7 @@ void Resolver::readWheels() {
                             "Give 0 to 200.");
         }
         if (!wheel.steering.empty()) {
-            findJoint(wheel.steering, copy.side, element);
+            readSteering(wheel, element, copy.side, out);
         }
         checkName(names, copy.name, element, "wheel");
         if (out.axle >= kLocked) {
@@ -568,6 +595,53 @@ void Resolver::readWheels() {
         }
         mechanism_.wheels.push_back(std::move(out));
     }
+}
+
+void Resolver::readSteering(const Wheel& wheel, const std::string& element, Side side,
+                            mechanism::Wheel& out) {
+    const int found = find(fileJointIndex_, wheel.steering, side, element, "joint");
+    const int axle = fileJointIndex_.find(wheel.axle, side);
+    const double torque =
+        value_.notNegative(wheel.steeringMotor.torqueLimit, element, "steering torque", "torque");
+    const double speed =
+        value_.positive(wheel.steeringMotor.speedLimit, element, "steering speed", "angular speed");
+    if (found < 0 || axle < 0) {
+        return;
+    }
+    const FileJoint& steering = fileJoints_[static_cast<std::size_t>(found)];
+    const mechanism::Joint& joint = steering.joint;
+    if (!isPin(joint) && !steering.locked) {
+        value_.critical(element, fmt::format("its steering joint '{}' is no pin.", joint.name),
+                        "Leave it one free direction, 'turn axis'.");
+    } else if (std::abs(joint.axis.z()) < kUpright) {
+        value_.critical(element,
+                        fmt::format("its steering joint '{}' does not stand upright.", joint.name),
+                        "Give it an axis along z, or within 45 deg of it.");
+    } else if (!carriesWheel(found, axle)) {
+        value_.critical(element,
+                        fmt::format("'{}' does not steer it: without that joint the wheel would "
+                                    "still hang on the chassis.",
+                                    joint.name),
+                        "Name the pin between the wheel's carrier and the rest of the rover.");
+    }
+    if (!steering.welded) {
+        out.steering = jointIndex_.find(joint.name, Side::Center);
+        out.steeringTorqueLimit = torque > 0.0 ? torque : out.torqueLimit;
+        out.steeringSpeedLimit = speed;
+    }
+}
+
+/// Whether all ways from the chassis to the axle lead through the steering joint.
+bool Resolver::carriesWheel(int steering, int axle) const {
+    Merger merger(parts_.size());
+    for (int i = 0; i < static_cast<int>(fileJoints_.size()); ++i) {
+        const mechanism::Joint& joint = fileJoints_[static_cast<std::size_t>(i)].joint;
+        if (i != steering && joint.first >= 0 && joint.second >= 0) {
+            merger.merge(joint.first, joint.second);
+        }
+    }
+    const mechanism::Joint& pin = fileJoints_[static_cast<std::size_t>(axle)].joint;
+    return pin.first < 0 || merger.root(pin.first) != merger.root(0);
 }
 
 /// Inertias that nobody gave, then what the payloads add: they must not be taken for the body's
@@ -686,17 +760,18 @@ void Resolver::checkConnected() {
 
 }  // namespace
 
-Result<Mechanism> resolve(const Rover& rover, const ParameterValues& parameters) {
-    return Resolver(rover, parameters).run();
+Result<Mechanism> resolve(const Rover& rover, const ParameterValues& parameters,
+                          Steering steering) {
+    return Resolver(rover, parameters, steering).run();
 }
 
 Result<Mechanism> resolve(const Project& project, const std::string& variant,
-                          const std::vector<Assignment>& assignments) {
+                          const std::vector<Assignment>& assignments, Steering steering) {
     const auto parameters = evaluateParameters(project, variant, assignments);
     if (!parameters) {
         return parameters.problems();
     }
-    return resolve(project.rover, *parameters);
+    return resolve(project.rover, *parameters, steering);
 }
 
 }  // namespace simcore::project

@@ -38,13 +38,20 @@ Result<ParameterValues> evaluateParameters(const Project& project, const std::st
 Result<double> evaluate(const Quantity& quantity, const ParameterValues& parameters,
                         const std::string& element, std::string_view dimension = {});
 
+/// What becomes of the joints that wheels name as their steering: welded, as analyses and
+/// controllers that do not steer want them, or free to be turned by their servos. A *locked*
+/// joint is welded either way, and its wheel is not steered.
+enum class Steering { Locked, Free };
+
 /// The mechanism of a rover with the given parameter values. *All* problems found are returned, not
 /// only the first; a mechanism comes with warnings only.
-Result<mechanism::Mechanism> resolve(const Rover& rover, const ParameterValues& parameters);
+Result<mechanism::Mechanism> resolve(const Rover& rover, const ParameterValues& parameters,
+                                     Steering steering = Steering::Locked);
 
 /// evaluateParameters() and resolve() in one, with the named variant ("" = none).
 Result<mechanism::Mechanism> resolve(const Project& project, const std::string& variant = {},
-                                     const std::vector<Assignment>& assignments = {});
+                                     const std::vector<Assignment>& assignments = {},
+                                     Steering steering = Steering::Locked);
 
 /// A SensorError with numbers [SI].
 struct SensorErrorValues {
@@ -69,7 +76,7 @@ struct GroundRegion : GroundValues {
 
 /// The numbers of a scenario [SI].
 struct ScenarioValues {
-    double speed = 0.1, assumedFriction = 0.5, controlPeriod = 0.01;
+    double speed = 0.1, turn = 0.0, assumedFriction = 0.5, controlPeriod = 0.01;
     double proportional = 0.0, integral = 0.0, derivative = 0.0;  ///< 0 = derived
     double friction = 0.7, rollingResistance = 0.0;
     std::vector<GroundRegion> regions;

@@ -28,6 +28,7 @@ Result<ScenarioValues> evaluateScenario(const Scenario& scenario,
     v.friction = number(soil.friction, "friction", "ratio", 0.0, 5.0);
     v.rollingResistance = number(soil.rollingResistance, "rolling resistance", "ratio", 0.0, 1.0);
     v.speed = number(controller.speed, "speed", "speed", -10.0, 10.0);
+    v.turn = number(controller.turn, "turn", "angular speed", -10.0, 10.0);
     v.assumedFriction = number(controller.assumedFriction, "assumed friction", "ratio", 0.0, 5.0);
     v.controlPeriod = number(controller.period, "controller period", "time", 1e-4, 1.0);
     v.proportional = number(controller.proportional, "proportional gain", "", 0.0, 1e6);

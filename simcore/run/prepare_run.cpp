@@ -89,12 +89,23 @@ void checkStart(const ResolvedRun& run, Problems& problems) {
     }
 }
 
+/// Whether the controller will ever turn a steering joint.
+bool steers(const project::Controller& controller, double turn) {
+    using project::ControllerKind;
+    return controller.steering != project::SteeringMode::Skid &&
+           (controller.kind == ControllerKind::Manual ||
+            (controller.kind == ControllerKind::Speed && (turn != 0.0 || controller.headingHold)));
+}
+
 /// Everything but the terrain.
 std::optional<ResolvedRun> readRun(const project::Project& project,
                                    const project::Scenario& scenario,
                                    const project::ParameterValues& parameters, Problems& problems) {
-    auto mechanism = project::resolve(project.rover, parameters);
     const auto values = project::evaluateScenario(scenario, parameters);
+    auto mechanism = project::resolve(project.rover, parameters,
+                                      steers(scenario.controller, values ? values->turn : 0.0)
+                                          ? project::Steering::Free
+                                          : project::Steering::Locked);
     appendNew(problems, mechanism.problems());
     appendNew(problems, values.problems());
     if (!mechanism) {
@@ -109,6 +120,8 @@ std::optional<ResolvedRun> readRun(const project::Project& project,
     static_cast<project::ScenarioValues&>(run) = *values;
     run.scenario = scenario.name;
     run.controller = scenario.controller.kind;
+    run.steering = scenario.controller.steering;
+    run.headingHold = scenario.controller.headingHold;
     run.seed = scenario.run.seed;
     run.joints =
         scenario.run.relaxedJoints ? dynamics::JointSet::Relaxed : dynamics::JointSet::Built;

@@ -9,6 +9,7 @@
 #include "simcore/base/hash.h"
 #include "simcore/contact/wheel_contact.h"
 #include "simcore/control/controller.h"
+#include "simcore/control/steering.h"
 #include "simcore/control/wheel_drive.h"
 #include "simcore/dynamics/engine.h"
 #include "simcore/run/wheel_observer.h"
@@ -30,6 +31,8 @@ control::ControllerSettings controllerSettings(const ResolvedRun& run) {
     settings.kind = run.controller;
     settings.assumedFriction = run.assumedFriction;
     settings.period = run.controlPeriod;
+    settings.steering = run.steering;
+    settings.headingHold = run.headingHold;
     settings.proportional = run.proportional;
     settings.integral = run.integral;
     settings.derivative = run.derivative;
@@ -50,6 +53,7 @@ struct Simulation::Impl {
     void step();
     void control();
     void applyDrives();
+    void applySteering();
     void updateSnapshot();
     void measure();
     void checkEnd();
@@ -154,6 +158,7 @@ control::DriveCommand Simulation::Impl::driveCommand() const {
     }
     const double share = run.ramp > 0.0 ? (now.time - run.settle) / run.ramp : 1.0;
     command.speed = run.speed * std::clamp(share, 0.0, 1.0);
+    command.turn = run.turn * std::clamp(share, 0.0, 1.0);
     return command;
 }
 
@@ -191,6 +196,24 @@ void Simulation::Impl::applyDrives() {
         energy += work;
         wheels[i].energy += work;
         wheels[i].maxTorque = std::max(wheels[i].maxTorque, std::abs(torques[i]));
+    }
+    applySteering();
+}
+
+void Simulation::Impl::applySteering() {
+    for (std::size_t i = 0; i < drives.size(); ++i) {
+        const mechanism::Wheel& wheel = run.mechanism.wheels[i];
+        const bool isNew = std::none_of(
+            run.mechanism.wheels.begin(), run.mechanism.wheels.begin() + static_cast<long>(i),
+            [&](const mechanism::Wheel& other) { return other.steering == wheel.steering; });
+        if (wheel.steering >= 0 && isNew) {
+            const double angle = dynamics::jointAngle(
+                run.mechanism.joints[static_cast<std::size_t>(wheel.steering)], engine->poses());
+            motors.push_back(
+                {wheel.steering,
+                 control::servoRate(commands[i].steering, angle, wheel.steeringSpeedLimit),
+                 wheel.steeringTorqueLimit});
+        }
     }
 }
 
@@ -333,7 +356,8 @@ void Simulation::Impl::checkEnd() {
         reason = StopReason::Completed;
     } else if (now.time > endTime() - 0.5 * run.step && !(manual() && run.duration <= 0.0)) {
         reason = StopReason::TimeUp;
-    } else if (travelled > progressX + kStuckDistance || manual() || run.speed == 0.0) {
+    } else if (travelled > progressX + kStuckDistance || manual() || run.speed == 0.0 ||
+               run.turn != 0.0) {
         progressX = travelled;
         progressTime = now.time;
     } else if (now.time - std::max(progressTime, run.settle + run.ramp) > kStuckTime) {

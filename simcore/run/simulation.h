@@ -38,6 +38,7 @@ struct RunRequest {
 struct ManualCommand {
     double speed = 0.0;  ///< [m/s], + forward
     double turn = 0.0;   ///< yaw rate [rad/s], + left
+    bool operator==(const ManualCommand&) const = default;
 };
 
 /// All that a run needs, evaluated [SI].
@@ -46,6 +47,8 @@ struct ResolvedRun : project::ScenarioValues {
     std::shared_ptr<const terrain::Terrain> terrain;
     project::ControllerKind controller = project::ControllerKind::Speed;
     dynamics::JointSet joints = dynamics::JointSet::Built;
+    project::SteeringMode steering = project::SteeringMode::Auto;
+    bool headingHold = false;
     int seed = 1;
     std::string scenario;
 };

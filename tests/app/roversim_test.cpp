@@ -404,6 +404,36 @@ TEST_F(RecordedRun, ReplayObeysTheCommandsOfAPerson) {
     EXPECT_THAT(other.out, HasSubstr("another run"));
 }
 
+// Driven by a script, a manual run is driven, recorded with its commands, and made again from them.
+TEST_F(RecordedRun, ScriptDrivesAManualRun) {
+    const std::string manual =
+        "run --scenario flat --controller manual --duration 2 " + shipped("rocker_bogie_steered");
+    const Outcome driven = roversim(manual + " --drive '0.5,0.1,0;1,0.1,0.2' --json --record '" +
+                                    path("script.roverrec") + "'");
+    ASSERT_EQ(driven.code, 0) << driven.err;
+    EXPECT_NEAR(Json::parse(driven.out).at("distance").get<double>(), 0.15, 0.01);
+    EXPECT_EQ(roversim("replay '" + path("script.roverrec") + "'").code, 0);
+
+    EXPECT_EQ(roversim(manual + " --drive '0,fast,0'").code, 2);
+    const Outcome automatic =
+        roversim("run --scenario flat --drive '0,0.1,0' " + shipped("solero"));
+    EXPECT_EQ(automatic.code, 2);
+    EXPECT_THAT(automatic.err, HasSubstr("manual"));
+}
+
+// With steering freed every pin is one more freedom of the count.
+TEST_F(RoversimTest, MobilityCountsFreedSteering) {
+    const auto count = [&](const char* options) {
+        return Json::parse(roversim("mobility --json --model built " + std::string(options) +
+                                    shipped("rocker_bogie_steered"))
+                               .out);
+    };
+    const Json locked = count("");
+    EXPECT_EQ(locked.at("gruebler"), -3);  // as the rocker-bogie without steering
+    EXPECT_EQ(locked.at("gruebler_steering_free"), -3 + 4);
+    EXPECT_EQ(count("--steering free ").at("gruebler"), -3 + 4);
+}
+
 TEST_F(RecordedRun, WhatIsNoRecordingIsRefused) {
     for (const char* verb : {"replay ", "export "}) {
         const Outcome outcome =

@@ -73,6 +73,45 @@ inline Mechanism makeCart(const CartNumbers& numbers = {}) {
     return mechanism;
 }
 
+/// How a steered cart's wheels hang on their steering pins.
+struct SteeringNumbers {
+    double stop = 1.745;                         ///< [rad], to either side
+    double trail = 0.0, scrub = 0.0;             ///< of the wheel, ahead and outward of its pin [m]
+    bool frontOnly = false;                      ///< the rear wheels stay straight
+    bool reversed = false;                       ///< pins point down, and the bracket comes first
+    double bracketMass = 0.2;                    ///< [kg]
+    double torqueLimit = 3.0, speedLimit = 1.0;  ///< [N m], [rad/s]
+};
+
+/// The cart with steered wheels, each on a bracket that turns on an upright pin.
+inline Mechanism makeSteeredCart(const SteeringNumbers& steering = {},
+                                 const CartNumbers& numbers = {}) {
+    Mechanism mechanism = makeCart(numbers);
+    for (Wheel& wheel : mechanism.wheels) {
+        if (steering.frontOnly && wheel.center.x() < 0.0) {
+            continue;
+        }
+        const double out = wheel.center.y() > 0.0 ? 1.0 : -1.0;
+        const int bracket = static_cast<int>(mechanism.bodies.size());
+        const Vec3 pin = wheel.center + Vec3(-steering.trail, -out * steering.scrub, 0.1);
+        mechanism.bodies.push_back(
+            makeBody(wheel.name + "_bracket", steering.bracketMass, pin, {1e-3, 1e-3, 1e-3}));
+        auto& axle = mechanism.joints[static_cast<std::size_t>(wheel.axle)];
+        (axle.first == wheel.body ? axle.second : axle.first) = bracket;
+        Joint joint = steering.reversed ? makePin(wheel.name + "_pin", bracket, 0, pin)
+                                        : makePin(wheel.name + "_pin", 0, bracket, pin);
+        joint.axis = steering.reversed ? Vec3(-Vec3::UnitZ()) : Vec3::UnitZ();
+        joint.built = joint.relaxed = {{FreedomKind::Turn, joint.axis}};
+        joint.stops = {-steering.stop, steering.stop};
+        wheel.carrier = bracket;
+        wheel.steering = static_cast<int>(mechanism.joints.size());
+        wheel.steeringTorqueLimit = steering.torqueLimit;
+        wheel.steeringSpeedLimit = steering.speedLimit;
+        mechanism.joints.push_back(joint);
+    }
+    return mechanism;
+}
+
 /// The mechanism drawn with its nose up by `slope` [rad] about the world's y axis: so it starts on
 /// the ground of slopeThroughOrigin().
 inline Mechanism tilted(Mechanism mechanism, double slope) {

@@ -40,6 +40,10 @@ inline const char* elementWord(const simcore::project::Motor*) {
     return "motor";
 }
 
+inline const char* elementWord(const simcore::project::SteeringMotor*) {
+    return "steering_motor";
+}
+
 inline const char* elementWord(const simcore::project::Wheel*) {
     return "wheel";
 }

@@ -76,18 +76,83 @@ TEST(SpeedControllerTest, GivenGainsReplaceTheDefaults) {
     }
 }
 
-// A left turn (positive) slows the left wheels and speeds the right ones by turn times y; only
-// manual driving turns.
+// A left turn (positive) slows the left wheels and speeds the right ones by turn times y.
 TEST(SpeedControllerTest, SkidSteeringSlowsTheInnerSide) {
     const Mechanism cart = makeCart();
     const DriveCommand command{.speed = 0.1, .turn = 0.2, .brake = false};
-    const auto manual = commandsOf(ControllerKind::Manual, command);
-    const auto straight = commandsOf(ControllerKind::Speed, command);
+    for (const ControllerKind kind : {ControllerKind::Manual, ControllerKind::Speed}) {
+        const auto wheels = commandsOf(kind, command);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double y = cart.wheels[i].center.y();
+            EXPECT_NEAR(wheels[i].speed * cart.wheels[i].radius, 0.1 - 0.2 * y, 1e-12);
+        }
+    }
+}
+
+// More than the motors can do is driven slower, along the same curve.
+TEST(SpeedControllerTest, SpeedLimitKeepsTheCurve) {
+    const DriveCommand slow{.speed = 0.1, .turn = 0.3, .brake = false};
+    const DriveCommand fast{.speed = 10.0, .turn = 30.0, .brake = false};
+    const auto a = commandsOf(ControllerKind::Speed, slow);
+    const auto b = commandsOf(ControllerKind::Speed, fast);
+    EXPECT_NEAR(b[1].speed, CartNumbers().speedLimit, 1e-12);
     for (std::size_t i = 0; i < 4; ++i) {
-        const double y = cart.wheels[i].center.y();
-        EXPECT_NEAR(manual[i].speed * cart.wheels[i].radius, 0.1 - 0.2 * y, 1e-12);
-        EXPECT_EQ(manual[i].speed<straight[i].speed, y> 0.0);
-        EXPECT_DOUBLE_EQ(straight[i].speed * cart.wheels[i].radius, 0.1);
+        EXPECT_NEAR(b[i].speed / b[1].speed, a[i].speed / a[1].speed, 1e-12);
+    }
+}
+
+// Half a second without a command, and a rover driven by hand is parked; any command lets it go.
+// One that drives itself is not.
+TEST(ManualControllerTest, ParksWhenNobodyDrives) {
+    const Sensors sensors = sensorsOf({20.0, 20.0, 20.0, 20.0});
+    const auto controller = makeController(makeCart(), settingsOf(ControllerKind::Manual));
+    EXPECT_EQ(commandsOf(*controller, sensors, {})[0].mode, WheelMode::Lock);
+    for (const DriveCommand& command : {DriveCommand{.speed = 0.1}, DriveCommand{.turn = -0.1}}) {
+        EXPECT_EQ(commandsOf(*controller, sensors, command)[0].mode, WheelMode::Speed);
+        for (int i = 0; i < 49; ++i) {
+            const auto wheels = commandsOf(*controller, sensors, {});
+            ASSERT_EQ(wheels[0].mode, WheelMode::Speed) << i;
+            ASSERT_EQ(wheels[0].speed, 0.0);
+        }
+        for (int i = 0; i < 2; ++i) {
+            (void)commandsOf(*controller, sensors, {});
+        }
+        EXPECT_EQ(commandsOf(*controller, sensors, {})[3].mode, WheelMode::Lock);
+    }
+    EXPECT_EQ(commandsOf(ControllerKind::Speed, {})[0].mode, WheelMode::Speed);
+}
+
+// A steered rover's wheels wait while they point the wrong way, and then roll round the centre of
+// the turn; skid never steers.
+TEST(ManualControllerTest, SteersThenDrives) {
+    const Mechanism cart = makeSteeredCart();
+    ControllerSettings settings = settingsOf(ControllerKind::Manual);
+    Sensors sensors = sensorsOf({20.0, 20.0, 20.0, 20.0});
+    sensors.joints.assign(4, 0.0);
+    const DriveCommand onTheSpot{.speed = 0.0, .turn = 0.3};
+    const auto controller = makeController(cart, settings);
+    auto wheels = commandsOf(*controller, sensors, onTheSpot);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(wheels[i].speed, 0.0);
+        const Vec3& c = cart.wheels[i].center;
+        EXPECT_NEAR(std::abs(wheels[i].steering), std::atan2(std::abs(c.x()), std::abs(c.y())),
+                    1e-9);
+        sensors.joints[i] = wheels[i].steering;
+    }
+    wheels = commandsOf(*controller, sensors, onTheSpot);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3& c = cart.wheels[i].center;
+        EXPECT_NEAR(std::abs(wheels[i].speed) * cart.wheels[i].radius,
+                    0.3 * std::hypot(c.x(), c.y()), 1e-9);
+        EXPECT_EQ(wheels[i].speed > 0.0, c.y() < 0.0);
+    }
+    settings.steering = project::SteeringMode::Skid;
+    sensors.joints.assign(4, 0.0);
+    wheels = commandsOf(*makeController(cart, settings), sensors, onTheSpot);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(wheels[i].steering, 0.0);
+        EXPECT_NEAR(wheels[i].speed * cart.wheels[i].radius, -0.3 * cart.wheels[i].center.y(),
+                    1e-12);
     }
 }
 

@@ -357,3 +357,93 @@ TEST(ValidateTest, EveryNumberOfTheRoverIsCheckedToBeFinite) {
         }
     }
 }
+
+// -- steering -------------------------------------------------------------------------------------
+
+namespace {
+
+Project steeredCart() {
+    Project project = cart();
+    Rover& rover = project.rover;
+    Body bracket;
+    bracket.name = "bracket";
+    bracket.mirror = true;
+    bracket.mass = 0.3;
+    bracket.com = {Quantity(0.0), Quantity(0.2), Quantity(0.15)};
+    bracket.inertia = {{0.001, 0.001, 0.001, 0.0, 0.0, 0.0}};
+    rover.bodies.push_back(bracket);
+    Joint pin;
+    pin.name = "pin";
+    pin.mirror = true;
+    pin.first = "chassis";
+    pin.second = "bracket";
+    pin.point = bracket.com;
+    pin.axis = {Quantity(0.0), Quantity(0.0), Quantity(1.0)};
+    rover.joints.push_back(pin);
+    rover.joints[0].first = "bracket";
+    rover.wheels[0].steering = "pin";
+    return project;
+}
+
+}  // namespace
+
+// Welded for analyses; free for controllers that steer, unless the file locks it.
+TEST(SteeringJointTest, IsWeldedUnlessFreed) {
+    Project project = steeredCart();
+    const auto welded = resolve(project);
+    ASSERT_TRUE(welded) << toString(welded.problems());
+    EXPECT_EQ(welded->bodies.size(), 3U);
+    EXPECT_EQ(welded->joints.size(), 2U);
+    EXPECT_EQ(welded->wheels[0].steering, -1);
+
+    project.rover.wheels[0].steeringMotor.speedLimit = 0.7;
+    const auto freed = resolve(project, "", {}, Steering::Free);
+    ASSERT_TRUE(freed) << toString(freed.problems());
+    EXPECT_EQ(freed->bodies.size(), 5U);
+    EXPECT_EQ(freed->joints.size(), 4U);
+    for (const auto& wheel : freed->wheels) {
+        const std::string side = wheel.name.substr(wheel.name.find('_'));
+        EXPECT_EQ(wheel.steering, freed->findJoint("pin" + side));
+        EXPECT_EQ(wheel.carrier, freed->findBody("bracket" + side));
+        EXPECT_EQ(wheel.steeringTorqueLimit, wheel.torqueLimit);
+        EXPECT_EQ(wheel.steeringSpeedLimit, 0.7);
+    }
+    EXPECT_NEAR(freed->mass(), welded->mass(), 1e-12);
+
+    project.rover.joints[1].locked = true;
+    const auto locked = resolve(project, "", {}, Steering::Free);
+    ASSERT_TRUE(locked) << toString(locked.problems());
+    EXPECT_EQ(locked->bodies.size(), 3U);
+    EXPECT_EQ(locked->wheels[0].steering, -1);
+}
+
+// What cannot steer is said, whether or not it is freed now.
+TEST(SteeringJointTest, SaysWhyAJointCannotSteer) {
+    const auto complaint = [](auto spoil) {
+        Project project = steeredCart();
+        spoil(project.rover);
+        const std::string free = toString(resolve(project, "", {}, Steering::Free).problems());
+        const std::string locked = toString(resolve(project).problems());
+        EXPECT_FALSE(locked.empty());
+        return locked + free;
+    };
+    EXPECT_NE(complaint([](Rover& r) { r.wheels[0].steering = "moon"; }).find("no joint 'moon'"),
+              std::string::npos);
+    EXPECT_NE(complaint([](Rover& r) { r.wheels[0].steering = "axle"; }).find("upright"),
+              std::string::npos);
+    EXPECT_NE(complaint([](Rover& r) {
+                  r.joints[1].free = {"turn axis", "turn x"};
+              }).find("is no pin"),
+              std::string::npos);
+    EXPECT_NE(complaint([](Rover& r) {
+                  r.wheels[0].steeringMotor.speedLimit = 0.0;
+              }).find("steering speed"),
+              std::string::npos);
+    // A second way from bracket to chassis: the pin steers nothing.
+    EXPECT_NE(complaint([](Rover& r) {
+                  Joint strut = r.joints[1];
+                  strut.name = "strut";
+                  r.joints.push_back(strut);
+              }).find("still hang on the chassis"),
+              std::string::npos);
+}
