@@ -411,7 +411,10 @@ TEST_F(RecordedRun, ScriptDrivesAManualRun) {
     const Outcome driven = roversim(manual + " --drive '0.5,0.1,0;1,0.1,0.2' --json --record '" +
                                     path("script.roverrec") + "'");
     ASSERT_EQ(driven.code, 0) << driven.err;
-    EXPECT_NEAR(Json::parse(driven.out).at("distance").get<double>(), 0.15, 0.01);
+    // 0.1 m/s for 1.5 s, less what starting and turning the steered wheels takes.
+    const double distance = json::parse(driven.out).at("distance_m").get<double>();
+    EXPECT_GT(distance, 0.1);
+    EXPECT_LT(distance, 0.15);
     EXPECT_EQ(roversim("replay '" + path("script.roverrec") + "'").code, 0);
 
     EXPECT_EQ(roversim(manual + " --drive '0,fast,0'").code, 2);
@@ -424,11 +427,11 @@ TEST_F(RecordedRun, ScriptDrivesAManualRun) {
 // With steering freed every pin is one more freedom of the count.
 TEST_F(RoversimTest, MobilityCountsFreedSteering) {
     const auto count = [&](const char* options) {
-        return Json::parse(roversim("mobility --json --model built " + std::string(options) +
+        return json::parse(roversim("mobility --json --model built " + std::string(options) +
                                     shipped("rocker_bogie_steered"))
                                .out);
     };
-    const Json locked = count("");
+    const json locked = count("");
     EXPECT_EQ(locked.at("gruebler"), -3);  // as the rocker-bogie without steering
     EXPECT_EQ(locked.at("gruebler_steering_free"), -3 + 4);
     EXPECT_EQ(count("--steering free ").at("gruebler"), -3 + 4);

@@ -142,7 +142,7 @@ TEST(CriticalFrictionTest, IsTheTangentOfASlope) {
     scenario.terrain.start = 0.5;
     scenario.terrain.slope = 0.3;
     scenario.terrain.length = 5.0;
-    scenario.run.distance = 0.9;
+    scenario.run.distance = 1.3;
     scenario.controller.speed = 0.2;
     project.scenarios = {scenario};
     RunRequest request;
