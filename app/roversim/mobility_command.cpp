@@ -89,6 +89,7 @@ void printReactions(const std::vector<mobility::JointReaction>& reactions) {
 void printTable(const std::string& rover, const std::vector<mobility::Study>& studies) {
     using R = mobility::Report;
     std::vector<R> reports;
+    reports.reserve(studies.size());
     for (const mobility::Study& study : studies) {
         reports.push_back(study.present);
     }

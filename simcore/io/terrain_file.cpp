@@ -95,7 +95,7 @@ fs::path findTerrainFile(const std::string& text, const fs::path& folder) {
     }
     std::error_code error;
     for (const fs::path& base : {folder, examplesFolder()}) {
-        const fs::path file = base / text;  // an absolute text stands alone
+        fs::path file = base / text;  // an absolute text stands alone
         if (fs::is_regular_file(file, error)) {
             return file;
         }
