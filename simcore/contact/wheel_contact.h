@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "simcore/base/pose.h"
+#include "simcore/contact/slice_contacts.h"
 #include "simcore/mechanism/mechanism.h"
 #include "simcore/terrain/terrain.h"
 
@@ -12,7 +13,7 @@ namespace simcore::contact {
 /// One contact point of one wheel.
 struct Contact {
     int wheel = -1;
-    int slice = 0;
+    int slice = 0;                 ///< outer ones first, then inner ones, each from right to left
     Vec3 point = Vec3::Zero();     ///< on the ground [m], world
     Vec3 normal = Vec3::UnitZ();   ///< unit, ground to wheel, world
     Vec3 forward = Vec3::UnitX();  ///< unit, axle x normal: the rolling direction, world
@@ -20,7 +21,8 @@ struct Contact {
 };
 
 /// Finds the contacts of every wheel. Each wheel is cut into `slices` discs; each disc is
-/// intersected exactly with the terrain. A wheel at floor and wall touches twice per slice.
+/// intersected exactly with the terrain. A wheel at floor and wall touches twice per slice. On
+/// ground that differs across the rover, inner discs find what stands between the slices.
 class WheelContactFinder {
   public:
     /// @param margin  contacts are reported from this far before touching [m]
@@ -31,10 +33,27 @@ class WheelContactFinder {
     const std::vector<Contact>& find(const std::vector<Pose>& bodies);
 
   private:
+    /// A disc whose centre is under ground.
+    struct Buried {
+        int slice;
+        terrain::SlicePlane plane;
+        SliceContact contact;
+    };
+
+    int innerSlices(const mechanism::Wheel& wheel) const;
+    const std::vector<SliceContact>& touch(const terrain::SlicePlane& plane,
+                                           const mechanism::Wheel& wheel);
+    void add(int wheel, int slice, const terrain::SlicePlane& plane, const Vec3& axis,
+             const SliceContact& contact);
+    void findOuter(int index, const Vec3& center, const Vec3& axis);
+    void findInner(int index, const Vec3& center, const Vec3& axis, std::size_t first);
+
     const mechanism::Mechanism& mechanism_;
     const terrain::Terrain& terrain_;
     int slices_;
     double margin_;
+    SliceContactFinder slice_;
+    std::vector<Buried> buried_;
     std::vector<terrain::SliceSegment> segments_;
     std::vector<Contact> contacts_;
 };

@@ -9,15 +9,60 @@ namespace {
 
 /// Ground within this height of z = 0 counts as flat [m].
 constexpr double kFlat = 1e-9;
-/// Cells of the look-up grid are about this large [m]; long strips get larger ones.
-constexpr double kCell = 0.05;
-constexpr int kMostCells = 4'000'000;
+/// Cells of the look-up grid are two triangles large, within these bounds [m], so that a slice
+/// tests few triangles whether they measure a millimetre or a metre.
+constexpr double kSmallestCell = 0.002;
+constexpr double kLargestCell = 0.05;
+/// Larger cells are taken rather than more cells, or more entries for each triangle, than these.
+constexpr double kMostCells = 4e6;
+constexpr double kMostEntries = 16e6;
+constexpr double kMostEntriesPerTriangle = 4.0;
+/// Cells this near to a disc are searched, so that rounding loses none [m].
+constexpr double kSlack = 1e-6;
 
-Vec3 normalOf(const TriangleMesh& mesh, const std::array<int, 3>& t) {
-    const Vec3& a = mesh.vertices[static_cast<std::size_t>(t[0])];
-    const Vec3& b = mesh.vertices[static_cast<std::size_t>(t[1])];
-    const Vec3& c = mesh.vertices[static_cast<std::size_t>(t[2])];
-    return (b - a).cross(c - a).normalized();
+const Vec3& corner(const TriangleMesh& mesh, const std::array<int, 3>& triangle, std::size_t k) {
+    return mesh.vertices[static_cast<std::size_t>(triangle[k])];
+}
+
+Vec3 lowCorner(const TriangleMesh& mesh, const std::array<int, 3>& t) {
+    return corner(mesh, t, 0).cwiseMin(corner(mesh, t, 1)).cwiseMin(corner(mesh, t, 2));
+}
+
+Vec3 highCorner(const TriangleMesh& mesh, const std::array<int, 3>& t) {
+    return corner(mesh, t, 0).cwiseMax(corner(mesh, t, 1)).cwiseMax(corner(mesh, t, 2));
+}
+
+/// Cells that suit a mesh within the box [m].
+double cellSizeFor(const TriangleMesh& mesh, const Vec3& low, const Vec3& high) {
+    double sum = 0.0;
+    for (const auto& t : mesh.triangles) {
+        sum += (highCorner(mesh, t) - lowCorner(mesh, t)).head<2>().maxCoeff();
+    }
+    const auto count = static_cast<double>(mesh.triangles.size());
+    double size = std::clamp(2.0 * sum / count, kSmallestCell, kLargestCell);
+    const Vec3 extent = high - low;
+    size = std::max(size, std::sqrt(extent.x() * extent.y() / kMostCells));
+    // A mesh as thin as a line still has a row of cells.
+    size = std::max(size, std::max(extent.x(), extent.y()) / kMostCells);
+    const auto entries = [&] {
+        double total = 0.0;
+        for (const auto& t : mesh.triangles) {
+            const Vec3 reach = (highCorner(mesh, t) - lowCorner(mesh, t)) / size;
+            total += (reach.x() + 1.0) * (reach.y() + 1.0);
+        }
+        return total;
+    };
+    while (entries() > kMostEntries + kMostEntriesPerTriangle * count) {
+        size *= 1.5;
+    }
+    return size;
+}
+
+/// Point of the piece a-b that is nearest to 0, as a share of the way from a.
+double nearestShare(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    const Eigen::Vector2d along = b - a;
+    const double length2 = along.squaredNorm();
+    return length2 > 0.0 ? std::clamp(-a.dot(along) / length2, 0.0, 1.0) : 0.0;
 }
 
 }  // namespace
@@ -53,10 +98,14 @@ Terrain Terrain::grid(double x0, double y0, double cell, int nx, int ny,
     }
     Terrain terrain;
     TriangleMesh& mesh = terrain.mesh_;
+    mesh.vertices.reserve(heights.size());
+    mesh.triangles.reserve(2 * heights.size());
     for (int ix = 0; ix < nx; ++ix) {
         for (int iy = 0; iy < ny; ++iy) {
-            mesh.vertices.emplace_back(x0 + ix * cell, y0 + iy * cell,
-                                       heights[static_cast<std::size_t>(ix * ny + iy)]);
+            mesh.vertices.emplace_back(
+                x0 + ix * cell, y0 + iy * cell,
+                heights[static_cast<std::size_t>(ix) * static_cast<std::size_t>(ny) +
+                        static_cast<std::size_t>(iy)]);
         }
     }
     for (int ix = 0; ix + 1 < nx; ++ix) {
@@ -80,57 +129,77 @@ Terrain Terrain::grid(double x0, double y0, double cell, int nx, int ny,
     return terrain;
 }
 
+Terrain Terrain::fromMesh(TriangleMesh mesh) {
+    if (mesh.triangles.empty()) {
+        throw std::invalid_argument("a ground needs triangles");
+    }
+    for (const Vec3& v : mesh.vertices) {
+        if (!v.allFinite()) {
+            throw std::invalid_argument("a vertex of the ground is not finite");
+        }
+    }
+    for (const auto& t : mesh.triangles) {
+        for (const int k : t) {
+            if (k < 0 || k >= static_cast<int>(mesh.vertices.size())) {
+                throw std::invalid_argument("a triangle has a corner that is no vertex");
+            }
+        }
+        const Vec3 a = corner(mesh, t, 1) - corner(mesh, t, 0);
+        if (!(a.cross(corner(mesh, t, 2) - corner(mesh, t, 0)).norm() > 0.0)) {
+            throw std::invalid_argument("a triangle has no area");
+        }
+    }
+    Terrain terrain;
+    terrain.mesh_ = std::move(mesh);
+    terrain.index();
+    return terrain;
+}
+
+int Terrain::column(double x) const {
+    return static_cast<int>(std::clamp((x - gridX0_) / cellSize_, 0.0, gridNx_ - 1.0));
+}
+
+int Terrain::row(double y) const {
+    return static_cast<int>(std::clamp((y - gridY0_) / cellSize_, 0.0, gridNy_ - 1.0));
+}
+
+std::size_t Terrain::cellAt(int ix, int iy) const {
+    return static_cast<std::size_t>(ix) * static_cast<std::size_t>(gridNy_) +
+           static_cast<std::size_t>(iy);
+}
+
 void Terrain::index() {
-    const std::size_t count = mesh_.triangles.size();
-    normals_.reserve(count);
     Vec3 low = mesh_.vertices.front();
     Vec3 high = low;
     for (const Vec3& v : mesh_.vertices) {
         low = low.cwiseMin(v);
         high = high.cwiseMax(v);
     }
-    const double area = (high.x() - low.x()) * (high.y() - low.y());
-    cellSize_ = std::max(kCell, std::sqrt(area / kMostCells));
+    cellSize_ = cellSizeFor(mesh_, low, high);
     gridX0_ = low.x();
     gridY0_ = low.y();
     gridNx_ = static_cast<int>((high.x() - low.x()) / cellSize_) + 1;
     gridNy_ = static_cast<int>((high.y() - low.y()) / cellSize_) + 1;
 
-    obstacleRange_ = {std::numeric_limits<double>::infinity(),
-                      -std::numeric_limits<double>::infinity()};
     const auto cellsOf = [&](const std::array<int, 3>& t, auto&& visit) {
-        Vec3 a = mesh_.vertices[static_cast<std::size_t>(t[0])];
-        Vec3 b = a;
-        for (const int k : t) {
-            a = a.cwiseMin(mesh_.vertices[static_cast<std::size_t>(k)]);
-            b = b.cwiseMax(mesh_.vertices[static_cast<std::size_t>(k)]);
-        }
-        const auto clampCell = [&](double value, double origin, int n) {
-            return std::clamp(static_cast<int>((value - origin) / cellSize_), 0, n - 1);
-        };
-        for (int ix = clampCell(a.x(), gridX0_, gridNx_); ix <= clampCell(b.x(), gridX0_, gridNx_);
-             ++ix) {
-            for (int iy = clampCell(a.y(), gridY0_, gridNy_);
-                 iy <= clampCell(b.y(), gridY0_, gridNy_); ++iy) {
-                visit(static_cast<std::size_t>(ix) * static_cast<std::size_t>(gridNy_) +
-                      static_cast<std::size_t>(iy));
+        const Vec3 a = lowCorner(mesh_, t);
+        const Vec3 b = highCorner(mesh_, t);
+        for (int ix = column(a.x()); ix <= column(b.x()); ++ix) {
+            for (int iy = row(a.y()); iy <= row(b.y()); ++iy) {
+                visit(cellAt(ix, iy));
             }
         }
     };
+    obstacleRange_ = {std::numeric_limits<double>::infinity(),
+                      -std::numeric_limits<double>::infinity()};
     cellStart_.assign(static_cast<std::size_t>(gridNx_) * static_cast<std::size_t>(gridNy_) + 1, 0);
     for (const auto& t : mesh_.triangles) {
-        normals_.push_back(normalOf(mesh_, t));
         cellsOf(t, [&](std::size_t cell) { ++cellStart_[cell + 1]; });
-        for (const int k : t) {
-            const auto& others = mesh_.vertices;
-            if (std::abs(others[static_cast<std::size_t>(k)].z()) > kFlat) {
-                for (const int m : t) {
-                    const double x = others[static_cast<std::size_t>(m)].x();
-                    obstacleRange_.first = std::min(obstacleRange_.first, x);
-                    obstacleRange_.second = std::max(obstacleRange_.second, x);
-                }
-                break;
-            }
+        const Vec3 a = lowCorner(mesh_, t);
+        const Vec3 b = highCorner(mesh_, t);
+        if (std::max(-a.z(), b.z()) > kFlat) {
+            obstacleRange_.first = std::min(obstacleRange_.first, a.x());
+            obstacleRange_.second = std::max(obstacleRange_.second, b.x());
         }
     }
     for (std::size_t i = 1; i < cellStart_.size(); ++i) {
@@ -138,7 +207,7 @@ void Terrain::index() {
     }
     cellTriangles_.resize(static_cast<std::size_t>(cellStart_.back()));
     std::vector<int> next(cellStart_.begin(), cellStart_.end() - 1);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
         cellsOf(mesh_.triangles[i], [&](std::size_t cell) {
             cellTriangles_[static_cast<std::size_t>(next[cell]++)] = static_cast<int>(i);
         });
@@ -152,14 +221,13 @@ double Terrain::heightAt(double x, double y) const {
     if (ix < 0 || iy < 0 || ix >= gridNx_ || iy >= gridNy_) {
         return height;
     }
-    const auto cell = static_cast<std::size_t>(ix) * static_cast<std::size_t>(gridNy_) +
-                      static_cast<std::size_t>(iy);
+    const std::size_t cell = cellAt(ix, iy);
     for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
         const auto& t =
             mesh_.triangles[static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)])];
-        const Vec3& a = mesh_.vertices[static_cast<std::size_t>(t[0])];
-        const Vec3& b = mesh_.vertices[static_cast<std::size_t>(t[1])];
-        const Vec3& c = mesh_.vertices[static_cast<std::size_t>(t[2])];
+        const Vec3& a = corner(mesh_, t, 0);
+        const Vec3& b = corner(mesh_, t, 1);
+        const Vec3& c = corner(mesh_, t, 2);
         const double det = (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
         if (std::abs(det) < 1e-14) {
             continue;  // vertical face
@@ -176,88 +244,112 @@ double Terrain::heightAt(double x, double y) const {
     return height;
 }
 
+template <class Visit>
+void Terrain::visitCells(const SlicePlane& plane, const Vec3& w, double radius,
+                         Visit&& visit) const {
+    const Vec3 reach = radius * (Vec3::Ones() - w.cwiseProduct(w)).cwiseMax(0.0).cwiseSqrt() +
+                       Vec3::Constant(kSlack);
+    const Vec3& o = plane.origin;
+    // Strips of cells across the plane's larger horizontal part; in each only those cells that the
+    // disc passes over.
+    const bool strips = std::max(std::abs(w.x()), std::abs(w.y())) > 0.1;
+    const bool alongX = std::abs(w.y()) >= std::abs(w.x());
+    const int main = alongX ? 0 : 1;
+    const int other = 1 - main;
+    const double mainOrigin = alongX ? gridX0_ : gridY0_;
+    const auto mainCell = [&](double value) { return alongX ? column(value) : row(value); };
+    const auto otherCell = [&](double value) { return alongX ? row(value) : column(value); };
+    const int last = mainCell(o[main] + reach[main]);
+    for (int i = mainCell(o[main] - reach[main]); i <= last; ++i) {
+        double low = -reach[other];
+        double high = reach[other];
+        if (strips) {
+            const double a = std::max(mainOrigin + i * cellSize_ - kSlack - o[main], -reach[main]);
+            const double b =
+                std::min(mainOrigin + (i + 1) * cellSize_ + kSlack - o[main], reach[main]);
+            if (a > b) {
+                continue;
+            }
+            const double slope = -w[main] / w[other];
+            const double lean = std::abs(w.z() / w[other]) * reach.z() + kSlack;
+            low = std::max(low, std::min(slope * a, slope * b) - lean);
+            high = std::min(high, std::max(slope * a, slope * b) + lean);
+        }
+        const int end = otherCell(o[other] + high);
+        for (int k = otherCell(o[other] + low); k <= end; ++k) {
+            alongX ? visit(i, k) : visit(k, i);
+        }
+    }
+}
+
+bool Terrain::cut(const std::array<int, 3>& t, const SlicePlane& plane, const Vec3& w,
+                  std::array<Vec3, 2>& ends) const {
+    std::array<double, 3> distance{};
+    std::array<bool, 3> above{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        distance[k] = w.dot(corner(mesh_, t, k) - plane.origin);
+        // On the plane counts as above it: a triangle is cut or not, never twice on an edge.
+        above[k] = distance[k] >= 0.0;
+    }
+    if (above[0] == above[1] && above[1] == above[2]) {
+        return false;
+    }
+    std::size_t found = 0;
+    for (std::size_t k = 0; k < 3 && found < 2; ++k) {
+        const std::size_t m = (k + 1) % 3;
+        if (above[k] != above[m]) {
+            // From the lower index's side always, so that neighbours cut their common edge in the
+            // very same point.
+            const std::size_t p = t[k] < t[m] ? k : m;
+            const std::size_t q = t[k] < t[m] ? m : k;
+            const double s = distance[p] / (distance[p] - distance[q]);
+            ends[found++] = corner(mesh_, t, p) + s * (corner(mesh_, t, q) - corner(mesh_, t, p));
+        }
+    }
+    return true;
+}
+
 void Terrain::slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const {
     out.clear();
     const Vec3 w = plane.u.cross(plane.v);  // plane normal
-    // Extent of the disc in x and y.
-    const double reachX = radius * std::sqrt(std::max(0.0, 1.0 - w.x() * w.x()));
-    const double reachY = radius * std::sqrt(std::max(0.0, 1.0 - w.y() * w.y())) + 1e-9;
-    const auto cellOf = [&](double value, double origin, int n) {
-        return std::clamp(static_cast<int>(std::floor((value - origin) / cellSize_)), 0, n - 1);
+    std::array<Vec3, 2> ends;
+    const auto inPlane = [&](const Vec3& p) {
+        return Eigen::Vector2d(plane.u.dot(p - plane.origin), plane.v.dot(p - plane.origin));
     };
-    const int x0 = cellOf(plane.origin.x() - reachX, gridX0_, gridNx_);
-    const int x1 = cellOf(plane.origin.x() + reachX, gridX0_, gridNx_);
-    const int y0 = cellOf(plane.origin.y() - reachY, gridY0_, gridNy_);
-    const int y1 = cellOf(plane.origin.y() + reachY, gridY0_, gridNy_);
-    const double lowest = plane.origin.z() - radius;
-    const double highest = plane.origin.z() + radius;
-    for (int ix = x0; ix <= x1; ++ix) {
-        for (int iy = y0; iy <= y1; ++iy) {
-            const auto cell = static_cast<std::size_t>(ix) * static_cast<std::size_t>(gridNy_) +
-                              static_cast<std::size_t>(iy);
-            for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
-                const auto index =
-                    static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]);
-                const auto& t = mesh_.triangles[index];
-                const Vec3& a = mesh_.vertices[static_cast<std::size_t>(t[0])];
-                const Vec3& b = mesh_.vertices[static_cast<std::size_t>(t[1])];
-                const Vec3& c = mesh_.vertices[static_cast<std::size_t>(t[2])];
-                const double da = w.dot(a - plane.origin);
-                const double db = w.dot(b - plane.origin);
-                const double dc = w.dot(c - plane.origin);
-                // On the plane counts as above it: a triangle is cut or not, never twice on an
-                // edge.
-                const bool above[3] = {da >= 0.0, db >= 0.0, dc >= 0.0};
-                if (above[0] == above[1] && above[1] == above[2]) {
-                    continue;
-                }
-                if (std::max({a.z(), b.z(), c.z()}) < lowest ||
-                    std::min({a.z(), b.z(), c.z()}) > highest) {
-                    continue;
-                }
-                // A triangle that lies in several cells is taken in the first of the searched ones.
-                const double tx = std::min({a.x(), b.x(), c.x()});
-                const double ty = std::min({a.y(), b.y(), c.y()});
-                if (ix != std::max(x0, cellOf(tx, gridX0_, gridNx_)) ||
-                    iy != std::max(y0, cellOf(ty, gridY0_, gridNy_))) {
-                    continue;
-                }
-                const Vec3* corner[3] = {&a, &b, &c};
-                const double distance[3] = {da, db, dc};
-                Vec3 ends[2];
-                int found = 0;
-                for (int k = 0; k < 3 && found < 2; ++k) {
-                    const int m = (k + 1) % 3;
-                    if (above[k] != above[m]) {
-                        // From the lower index's side always, so that neighbours cut their common
-                        // edge in the very same point.
-                        const bool forward =
-                            t[static_cast<std::size_t>(k)] < t[static_cast<std::size_t>(m)];
-                        const int p = forward ? k : m;
-                        const int q = forward ? m : k;
-                        const double s = distance[p] / (distance[p] - distance[q]);
-                        ends[found++] = *corner[p] + s * (*corner[q] - *corner[p]);
-                    }
-                }
-                SliceSegment segment;
-                segment.normal = normals_[index];
-                const auto inPlane = [&](const Vec3& p) {
-                    return Eigen::Vector2d(plane.u.dot(p - plane.origin),
-                                           plane.v.dot(p - plane.origin));
-                };
-                segment.a = inPlane(ends[0]);
-                segment.b = inPlane(ends[1]);
-                // The free side is to the left.
-                const Eigen::Vector2d along = segment.b - segment.a;
-                const double left = -along.y() * segment.normal.dot(plane.u) +
-                                    along.x() * segment.normal.dot(plane.v);
-                if (left < 0.0) {
-                    std::swap(segment.a, segment.b);
-                }
-                out.push_back(segment);
+    visitCells(plane, w, radius, [&](int ix, int iy) {
+        const std::size_t cell = cellAt(ix, iy);
+        for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
+            const auto& t = mesh_.triangles[static_cast<std::size_t>(
+                cellTriangles_[static_cast<std::size_t>(i)])];
+            if (!cut(t, plane, w, ends)) {
+                continue;
             }
+            SliceSegment segment{inPlane(ends[0]), inPlane(ends[1]), Vec3::Zero()};
+            const double s = nearestShare(segment.a, segment.b);
+            if ((segment.a + s * (segment.b - segment.a)).norm() > radius) {
+                continue;
+            }
+            // A triangle that lies in several cells is taken in that of its nearest point, which
+            // is one of those searched.
+            const Vec3 nearest = (ends[0] + s * (ends[1] - ends[0]))
+                                     .cwiseMax(lowCorner(mesh_, t))
+                                     .cwiseMin(highCorner(mesh_, t));
+            if (column(nearest.x()) != ix || row(nearest.y()) != iy) {
+                continue;
+            }
+            segment.normal = (corner(mesh_, t, 1) - corner(mesh_, t, 0))
+                                 .cross(corner(mesh_, t, 2) - corner(mesh_, t, 0))
+                                 .normalized();
+            // The free side is to the left.
+            const Eigen::Vector2d along = segment.b - segment.a;
+            const double left =
+                -along.y() * segment.normal.dot(plane.u) + along.x() * segment.normal.dot(plane.v);
+            if (left < 0.0) {
+                std::swap(segment.a, segment.b);
+            }
+            out.push_back(segment);
         }
-    }
+    });
 }
 
 }  // namespace simcore::terrain

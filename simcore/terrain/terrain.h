@@ -40,13 +40,17 @@ class Terrain {
     static Terrain grid(double x0, double y0, double cell, int nx, int ny,
                         const std::vector<double>& heights);
 
+    /// Any triangles: overhangs, holes and several sheets are possible. Throws invalid_argument on
+    /// no triangles, an index out of range, a number that is not finite or a triangle without area.
+    static Terrain fromMesh(TriangleMesh mesh);
+
     const TriangleMesh& mesh() const { return mesh_; }
 
     /// Height of the highest ground at (x, y) [m]; NaN outside the mesh.
     double heightAt(double x, double y) const;
 
-    /// Exact section of the ground with the plane, within `radius` of its origin. Appends to `out`
-    /// (cleared first), no allocation once `out` has grown.
+    /// Exact section of the ground with the plane: the pieces that come within `radius` of its
+    /// origin. Appends to `out` (cleared first), no allocation once `out` has grown.
     void slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const;
 
     /// Range of x in which the ground is not flat at z = 0 [m]; empty (min > max) when it is flat.
@@ -57,9 +61,17 @@ class Terrain {
 
   private:
     void index();
+    int column(double x) const;  ///< of the look-up grid, the nearest one outside it
+    int row(double y) const;
+    std::size_t cellAt(int ix, int iy) const;
+    /// Calls visit(ix, iy) for all cells that a disc in the plane with normal w passes over.
+    template <class Visit>
+    void visitCells(const SlicePlane& plane, const Vec3& w, double radius, Visit&& visit) const;
+    /// The two points where the plane cuts a triangle's edges; false when it does not cut it.
+    bool cut(const std::array<int, 3>& triangle, const SlicePlane& plane, const Vec3& w,
+             std::array<Vec3, 2>& ends) const;
 
     TriangleMesh mesh_;
-    std::vector<Vec3> normals_;  ///< per triangle
     std::vector<Eigen::Vector2d> profile_;
     std::pair<double, double> obstacleRange_{1.0, -1.0};
     // Uniform grid over x-y: the triangles touching each cell, in CSR layout.

@@ -5,7 +5,7 @@
 
 #include "simcore/base/random.h"
 #include "simcore/contact/wheel_contact.h"
-#include "tests/support/mechanisms.h"
+#include "tests/support/one_wheel.h"
 #include "tests/support/terrains.h"
 
 using namespace simcore;
@@ -19,31 +19,10 @@ namespace {
 constexpr double kRadius = 0.1;
 constexpr double kWidth = 0.05;
 
-/// One wheel on its own: body 1 of a mechanism; its pose places it in the world.
-Mechanism oneWheel() {
-    Mechanism mechanism;
-    mechanism.bodies = {makeBody("chassis", 1.0, Vec3::Zero()),
-                        makeBody("wheel", 1.0, Vec3::Zero())};
-    mechanism.joints = {makePin("axle", 0, 1, Vec3::Zero())};
-    simcore::mechanism::Wheel wheel;
-    wheel.name = "wheel";
-    wheel.body = 1;
-    wheel.axle = 0;
-    wheel.carrier = 0;
-    wheel.radius = kRadius;
-    wheel.width = kWidth;
-    mechanism.wheels = {wheel};
-    return mechanism;
-}
-
 std::vector<Contact> contactsAt(const terrain::Terrain& terrain, const Vec3& center,
                                 const Eigen::Quaterniond& rotation = Eigen::Quaterniond::Identity(),
                                 int slices = 2, double margin = 0.0) {
-    const Mechanism mechanism = oneWheel();
-    WheelContactFinder finder(mechanism, terrain, slices, margin);
-    std::vector<Pose> poses(2);
-    poses[1] = {rotation, center};
-    return finder.find(poses);
+    return OneWheel{kRadius, kWidth}.contactsAt(terrain, center, rotation, slices, margin);
 }
 
 /// In the wheel plane from up to the normal, positive when the obstacle is ahead.
