@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     roversim::addReplayCommand(app, exitCode);
     roversim::addExportCommand(app, exitCode);
     roversim::addConvertCommand(app, exitCode);
+    roversim::addTerrainCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

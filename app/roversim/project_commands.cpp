@@ -50,14 +50,15 @@ std::optional<std::vector<project::Assignment>> parseAssignments(
 namespace {
 
 /// Problems of the project itself and of everything its scenarios would run.
-Problems everythingWrong(const project::Project& project) {
-    Problems problems = run::checkProject(project);
+Problems everythingWrong(const project::Project& project, const std::filesystem::path& folder) {
+    Problems problems = run::checkProject(project, folder);
     if (hasCritical(problems)) {
         return problems;
     }
     for (const project::Scenario& scenario : project.scenarios) {
         run::RunRequest request;
         request.scenario = scenario.name;
+        request.folder = folder;
         for (Problem problem : run::prepareRun(project, request).problems()) {
             if (problem.severity == Severity::Critical) {
                 problem.element = "scenario " + scenario.name + ", " + problem.element;
@@ -72,7 +73,7 @@ int validateFile(const std::string& file, bool json) {
     auto loaded = io::loadProject(file);
     Problems problems = loaded.problems();
     if (loaded) {
-        const Problems more = everythingWrong(*loaded);
+        const Problems more = everythingWrong(*loaded, std::filesystem::path(file).parent_path());
         problems.insert(problems.end(), more.begin(), more.end());
     }
     const bool bad = hasCritical(problems);

@@ -38,6 +38,7 @@ struct Options {
 run::RunRequest requestOf(const Options& options, std::vector<project::Assignment> assignments) {
     run::RunRequest request;
     request.scenario = options.scenario;
+    request.folder = std::filesystem::path(options.file).parent_path();
     if (!options.controller.empty()) {
         request.controller = project::fromName<project::ControllerKind>(options.controller);
     }

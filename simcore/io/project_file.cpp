@@ -99,8 +99,12 @@ class Reader {
         }
     }
 
+    /// Terrains may hold terrains; the deepest project that makes sense has fewer levels.
+    static constexpr int kDeepest = 20;
+
     std::string source_;
     Problems& problems_;
+    int depth_ = 0;
 };
 
 template <class T>
@@ -192,6 +196,11 @@ void Reader::read(const Json& json, const std::string& place, T& value) {
             wrongType(place, "an object in braces", json);
             return;
         }
+        if (depth_ >= kDeepest) {
+            problem(place, "objects lie too deep within each other.", "Take some of them out.");
+            return;
+        }
+        ++depth_;
         FieldReader<T> fields(*this, json, place, value);
         if constexpr (std::is_same_v<T, project::Project>) {
             fields.know("format");
@@ -199,6 +208,7 @@ void Reader::read(const Json& json, const std::string& place, T& value) {
         }
         project::describe(fields, static_cast<const T*>(nullptr));
         fields.reportUnknownKeys();
+        --depth_;
     }
 }
 

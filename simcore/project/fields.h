@@ -145,12 +145,31 @@ void describe(V& v, const Terrain*) {
     v.optional("radius", &Terrain::radius);
     v.optional("count", &Terrain::count);
     v.optional("seed", &Terrain::seed);
+    v.optional("coverage", &Terrain::coverage);
+    v.optional("sides", &Terrain::sides);
+    v.optional("symmetric", &Terrain::symmetric);
+    v.optional("cell", &Terrain::cell);
+    v.optional("file", &Terrain::file);
+    v.optional("units", &Terrain::units);
+    v.optional("scale", &Terrain::scale);
+    v.optional("up", &Terrain::up);
+    v.optional("origin", &Terrain::origin);
+    v.optional("terrains", &Terrain::terrains);
+}
+
+template <class V>
+void describe(V& v, const SoilRegion*) {
+    v.required("x", &SoilRegion::x);
+    v.optional("y", &SoilRegion::y);
+    v.required("friction", &SoilRegion::friction);
+    v.required("rolling_resistance", &SoilRegion::rollingResistance);
 }
 
 template <class V>
 void describe(V& v, const Soil*) {
     v.optional("friction", &Soil::friction);
     v.optional("rolling_resistance", &Soil::rollingResistance);
+    v.optional("regions", &Soil::regions);
 }
 
 template <class V>

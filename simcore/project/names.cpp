@@ -13,15 +13,26 @@ constexpr std::array<Table<ShapeKind>, 4> kShapes{{{ShapeKind::Box, "box"},
                                                    {ShapeKind::Cylinder, "cylinder"},
                                                    {ShapeKind::Sphere, "sphere"},
                                                    {ShapeKind::Bar, "bar"}}};
-constexpr std::array<Table<TerrainKind>, 8> kTerrains{
+constexpr std::array<Table<TerrainKind>, 16> kTerrains{
     {{TerrainKind::Flat, "flat"},
      {TerrainKind::Ramp, "ramp"},
+     {TerrainKind::CrossSlope, "cross-slope"},
      {TerrainKind::Step, "step"},
      {TerrainKind::Stairs, "stairs"},
+     {TerrainKind::Trench, "trench"},
      {TerrainKind::Sinus, "sinus"},
      {TerrainKind::Circle, "circle"},
      {TerrainKind::RandomProfile, "random-profile"},
-     {TerrainKind::Particles, "particles"}}};
+     {TerrainKind::Random3d, "random-3d"},
+     {TerrainKind::Particles, "particles"},
+     {TerrainKind::RockField, "rock-field"},
+     {TerrainKind::Sum, "sum"},
+     {TerrainKind::Image, "image"},
+     {TerrainKind::AsciiGrid, "ascii-grid"},
+     {TerrainKind::Mesh, "mesh"}}};
+constexpr std::array<Table<Sides>, 3> kSides{
+    {{Sides::Both, "both"}, {Sides::Left, "left"}, {Sides::Right, "right"}}};
+constexpr std::array<Table<UpAxis>, 2> kUpAxes{{{UpAxis::Z, "z"}, {UpAxis::Y, "y"}}};
 constexpr std::array<Table<ControllerKind>, 3> kControllers{
     {{ControllerKind::Speed, "speed"},
      {ControllerKind::EqualTorque, "equal-torque"},
@@ -67,6 +78,14 @@ std::string nameOf(TerrainKind kind) {
     return nameIn(kTerrains, kind);
 }
 
+std::string nameOf(Sides sides) {
+    return nameIn(kSides, sides);
+}
+
+std::string nameOf(UpAxis axis) {
+    return nameIn(kUpAxes, axis);
+}
+
 std::string nameOf(ControllerKind kind) {
     return nameIn(kControllers, kind);
 }
@@ -82,6 +101,16 @@ std::optional<TerrainKind> fromName<TerrainKind>(std::string_view name) {
 }
 
 template <>
+std::optional<Sides> fromName<Sides>(std::string_view name) {
+    return findIn(kSides, name);
+}
+
+template <>
+std::optional<UpAxis> fromName<UpAxis>(std::string_view name) {
+    return findIn(kUpAxes, name);
+}
+
+template <>
 std::optional<ControllerKind> fromName<ControllerKind>(std::string_view name) {
     return findIn(kControllers, name);
 }
@@ -94,6 +123,16 @@ std::vector<std::string> allNames<ShapeKind>() {
 template <>
 std::vector<std::string> allNames<TerrainKind>() {
     return namesOf(kTerrains);
+}
+
+template <>
+std::vector<std::string> allNames<Sides>() {
+    return namesOf(kSides);
+}
+
+template <>
+std::vector<std::string> allNames<UpAxis>() {
+    return namesOf(kUpAxes);
 }
 
 template <>

@@ -13,6 +13,8 @@ namespace simcore::project {
 /// E.g. "random-profile", "equal-torque", "bar".
 std::string nameOf(ShapeKind kind);
 std::string nameOf(TerrainKind kind);
+std::string nameOf(Sides sides);
+std::string nameOf(UpAxis axis);
 std::string nameOf(ControllerKind kind);
 
 /// The enumerator with that name, or nothing.
@@ -23,6 +25,10 @@ std::optional<ShapeKind> fromName<ShapeKind>(std::string_view name);
 template <>
 std::optional<TerrainKind> fromName<TerrainKind>(std::string_view name);
 template <>
+std::optional<Sides> fromName<Sides>(std::string_view name);
+template <>
+std::optional<UpAxis> fromName<UpAxis>(std::string_view name);
+template <>
 std::optional<ControllerKind> fromName<ControllerKind>(std::string_view name);
 
 /// All names of an enumeration, for messages and choosers.
@@ -32,6 +38,10 @@ template <>
 std::vector<std::string> allNames<ShapeKind>();
 template <>
 std::vector<std::string> allNames<TerrainKind>();
+template <>
+std::vector<std::string> allNames<Sides>();
+template <>
+std::vector<std::string> allNames<UpAxis>();
 template <>
 std::vector<std::string> allNames<ControllerKind>();
 

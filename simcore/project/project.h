@@ -162,27 +162,73 @@ struct Variant {
     bool operator==(const Variant&) const = default;
 };
 
-enum class TerrainKind { Flat, Ramp, Step, Stairs, Sinus, Circle, RandomProfile, Particles };
+enum class TerrainKind {
+    Flat,
+    Ramp,
+    CrossSlope,
+    Step,
+    Stairs,
+    Trench,
+    Sinus,
+    Circle,
+    RandomProfile,
+    Random3d,
+    Particles,
+    RockField,
+    Sum,
+    Image,
+    AsciiGrid,
+    Mesh
+};
+
+/// Under which wheels a profile lies: both sides, y > 0, y < 0.
+enum class Sides { Both, Left, Right };
+
+/// The axis of a mesh file that points up.
+enum class UpAxis { Z, Y };
 
 /// What the rover drives on. Fields that a kind does not use are left at their defaults and are not
 /// written. Lengths may be expressions of rover parameters. docs/terrain.md defines every kind.
 struct Terrain {
     TerrainKind kind = TerrainKind::Flat;
     Quantity start{1.0};  ///< x of the first feature [m]
-    Quantity height;      ///< Step, Stairs (riser), Sinus (peak to peak), RandomProfile (largest)
-    Quantity
-        length;  ///< Step: top; Stairs: tread; Sinus: wavelength; Ramp: run; Random*: extent [m]
-    Quantity slope;   ///< Ramp [rad]
-    Quantity radius;  ///< Circle, Particles (grain) [m]
-    int count =
-        1;  ///< Stairs: steps; Sinus: waves; Circle: bumps; Random: features; Particles: grains
-    int seed = 1;  ///< RandomProfile, Particles
+    /// Step, Stairs (riser), Trench (depth), Sinus (peak to peak), Random* (largest), Image (of
+    /// white over black) [m]
+    Quantity height;
+    /// Step: top; Stairs: tread; Trench: width; Sinus: wavelength; Ramp: run; CrossSlope: until it
+    /// is reached; others: extent [m]
+    Quantity length;
+    Quantity slope;   ///< Ramp, CrossSlope [rad]
+    Quantity radius;  ///< Circle, Particles (grain), RockField (largest) [m]
+    /// Stairs: steps; Sinus: waves; Circle: bumps; Random*: features; Particles: grains
+    int count = 1;
+    int seed = 1;                   ///< Random*, Particles, RockField
+    Quantity coverage{0.05};        ///< RockField: share of the ground under rocks of any size [-]
+    Sides sides = Sides::Both;      ///< kinds that are profiles
+    bool symmetric = false;         ///< Random3d, Particles, RockField: left half mirrored
+    Quantity cell;                  ///< 3-D kinds: grid, 0 = 20 mm; Image: of a pixel [m]
+    std::string file;               ///< Image, AsciiGrid, Mesh: relative to the project's folder
+    std::string units = "m";        ///< AsciiGrid, Mesh: of the file's numbers
+    Quantity scale{1.0};            ///< AsciiGrid, Mesh: further factor [-]
+    UpAxis up = UpAxis::Z;          ///< Mesh
+    Quantity3 origin{};             ///< Image, AsciiGrid, Mesh: where the file's origin lies [m]
+    std::vector<Terrain> terrains;  ///< Sum: heights added; no sums, no meshes
     bool operator==(const Terrain&) const = default;
+};
+
+/// A rectangle of ground with values of its own.
+struct SoilRegion {
+    std::array<Quantity, 2> x{};                                     ///< from, to [m], world
+    std::array<Quantity, 2> y{Quantity(-1000.0), Quantity(1000.0)};  ///< from, to [m], world
+    Quantity friction{0.7};                                          ///< instead of the soil's [-]
+    Quantity rollingResistance{0.0};                                 ///< instead of the soil's [-]
+    bool operator==(const SoilRegion&) const = default;
 };
 
 struct Soil {
     Quantity friction{0.7};           ///< Coulomb coefficient wheel-ground [-]
     Quantity rollingResistance{0.0};  ///< moment = c N R [-]
+    std::vector<SoilRegion> regions;  ///< later ones lie on top of earlier ones
     bool operator==(const Soil&) const = default;
 };
 

@@ -55,14 +55,30 @@ struct SensorValues {
         tactileAngle, bodySpeed;
 };
 
+/// What the ground is to a wheel.
+struct GroundValues {
+    double friction = 0.7;           ///< [-]
+    double rollingResistance = 0.0;  ///< [-]
+};
+
+/// A rectangle of ground [m], world.
+struct GroundRegion : GroundValues {
+    double xMin = 0.0, xMax = 0.0, yMin = 0.0, yMax = 0.0;
+};
+
 /// The numbers of a scenario [SI].
 struct ScenarioValues {
     double speed = 0.1, assumedFriction = 0.5, controlPeriod = 0.01;
     double proportional = 0.0, integral = 0.0, derivative = 0.0;  ///< 0 = derived
     double friction = 0.7, rollingResistance = 0.0;
+    std::vector<GroundRegion> regions;
     double step = 0.002, distance = 3.5, duration = 0.0, settle = 0.5, ramp = 0.5;
     SensorValues sensors;
 };
+
+/// Friction and rolling resistance at a point of the ground: those of the last region that holds
+/// it, borders included, else the scenario's.
+GroundValues groundAt(const ScenarioValues& values, double x, double y);
 
 /// Values a scenario's numbers and checks them against ranges that can be run, wide enough to catch
 /// typing errors only. All problems; terrain is checked where it is made.

@@ -59,10 +59,37 @@ Result<ScenarioValues> evaluateScenario(const Scenario& scenario,
     v.sensors.tactileForce = errors(sensors.tactileForce, "tactile force", "force");
     v.sensors.tactileAngle = errors(sensors.tactileAngle, "tactile angle", "angle");
     v.sensors.bodySpeed = errors(sensors.bodySpeed, "body speed", "speed");
+    for (std::size_t i = 0; i < soil.regions.size(); ++i) {
+        const SoilRegion& region = soil.regions[i];
+        const std::string name = fmt::format("region {}, ", i + 1);
+        const auto value = [&](const Quantity& quantity, const char* what, const char* dimension,
+                               double low, double high) {
+            return number(quantity, (name + what).c_str(), dimension, low, high);
+        };
+        constexpr double kFar = 1e4;
+        GroundRegion ground;
+        ground.xMin = value(region.x[0], "x from", "length", -kFar, kFar);
+        ground.xMax = value(region.x[1], "x to", "length", ground.xMin, kFar);
+        ground.yMin = value(region.y[0], "y from", "length", -kFar, kFar);
+        ground.yMax = value(region.y[1], "y to", "length", ground.yMin, kFar);
+        ground.friction = value(region.friction, "friction", "ratio", 0.0, 5.0);
+        ground.rollingResistance =
+            value(region.rollingResistance, "rolling resistance", "ratio", 0.0, 1.0);
+        v.regions.push_back(ground);
+    }
     if (hasCritical(problems)) {
         return problems;
     }
     return Result<ScenarioValues>(v, std::move(problems));
+}
+
+GroundValues groundAt(const ScenarioValues& values, double x, double y) {
+    for (auto region = values.regions.rbegin(); region != values.regions.rend(); ++region) {
+        if (x >= region->xMin && x <= region->xMax && y >= region->yMin && y <= region->yMax) {
+            return *region;
+        }
+    }
+    return {values.friction, values.rollingResistance};
 }
 
 }  // namespace simcore::project

@@ -1,10 +1,13 @@
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "simcore/dynamics/engine.h"
+#include "simcore/io/terrain_file.h"
 #include "simcore/project/names.h"
 #include "simcore/run/simulation.h"
+#include "simcore/terrain/make_terrain.h"
 
 namespace simcore::run {
 namespace {
@@ -42,13 +45,28 @@ project::Scenario withRequest(project::Scenario scenario, const RunRequest& requ
     if (request.seed) {
         scenario.run.seed = *request.seed;
         scenario.terrain.seed = *request.seed;
+        // Parts of a sum differ from each other.
+        for (std::size_t i = 0; i < scenario.terrain.terrains.size(); ++i) {
+            scenario.terrain.terrains[i].seed = *request.seed + static_cast<int>(i);
+        }
     }
     return scenario;
 }
 
-/// A wheel that stands deep in an obstacle at the start would be thrown out of it.
+/// A wheel that stands deep in an obstacle at the start would be thrown out of it; one beside the
+/// ground would fall.
 void checkStart(const ResolvedRun& run, Problems& problems) {
     constexpr double kDeepest = 0.005;  // [m], assumed: ten times the resting depth
+    for (const mechanism::Wheel& wheel : run.mechanism.wheels) {
+        // Bodies start with their frames at the origin.
+        if (std::isnan(run.terrain->heightAt(wheel.center.x(), wheel.center.y()))) {
+            problems.push_back({Severity::Critical, "wheel " + wheel.name,
+                                fmt::format("there is no ground under it at the start, x = {:.3g} "
+                                            "m, y = {:.3g} m.",
+                                            wheel.center.x(), wheel.center.y()),
+                                "Move the terrain's origin, so that the rover starts on it."});
+        }
+    }
     contact::WheelContactFinder finder(run.mechanism, *run.terrain);
     for (const contact::Contact& contact :
          finder.find(std::vector<Pose>(run.mechanism.bodies.size()))) {
@@ -89,16 +107,21 @@ std::optional<ResolvedRun> readRun(const project::Project& project,
 }  // namespace
 
 Result<terrain::Terrain> makeScenarioTerrain(const project::Scenario& scenario,
-                                             const project::ParameterValues& parameters) {
+                                             const project::ParameterValues& parameters,
+                                             const std::filesystem::path& folder) {
     const auto values = project::evaluateScenario(scenario, parameters);
     if (!values) {
         return values.problems();
     }
+    const auto imports = io::readTerrainFiles(scenario.terrain, folder);
+    if (!imports) {
+        return imports.problems();
+    }
     const double travel = values->speed < 0.0 ? -values->distance : values->distance;
-    return terrain::makeTerrain(scenario.terrain, parameters, travel);
+    return terrain::makeTerrain(scenario.terrain, parameters, travel, *imports);
 }
 
-Problems checkProject(const project::Project& project) {
+Problems checkProject(const project::Project& project, const std::filesystem::path& folder) {
     Problems problems = project::validate(project);
     if (hasCritical(problems)) {
         return problems;
@@ -118,6 +141,7 @@ Problems checkProject(const project::Project& project) {
             continue;  // reported above
         }
         addNamed(terrain::whyNoTerrain(scenario.terrain, *parameters), "scenario " + scenario.name);
+        addNamed(io::whyNoTerrainFiles(scenario.terrain, folder), "scenario " + scenario.name);
         if (!checked.insert(scenario.variant).second) {
             continue;  // the same rover again
         }
@@ -151,7 +175,7 @@ Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest
         problems.push_back({Severity::Critical, "rover " + run->mechanism.name,
                             "it has no wheels to drive on.", "Add wheels."});
     }
-    auto terrain = makeScenarioTerrain(scenario, *parameters);
+    auto terrain = makeScenarioTerrain(scenario, *parameters, request.folder);
     appendNew(problems, terrain.problems());
     if (!terrain) {
         return problems;

@@ -79,7 +79,8 @@ struct Simulation::Impl {
     std::vector<double> resistances;
     std::vector<Pose> before;
     std::vector<contact::Contact> contacts;
-    std::vector<double> frictions;
+    std::vector<double> frictions;     ///< of each contact
+    std::vector<double> rollingLoads;  ///< c N of each wheel, of the last step [N]
     std::vector<dynamics::JointMotor> motors;
     long controlTicks = 0;
 
@@ -105,7 +106,7 @@ Simulation::Impl::Impl(ResolvedRun settings)
       sensors(run.mechanism, run.sensors, run.seed),
       encoders(run.mechanism.encoderJoints()),
       observer(run.mechanism, run.step),
-      friction(run.mechanism, *run.terrain, run.friction) {
+      friction(run.mechanism, *run.terrain) {
     for (const mechanism::Wheel& wheel : run.mechanism.wheels) {
         drives.emplace_back(wheel, axleInertia(run.mechanism, wheel));
     }
@@ -127,6 +128,7 @@ void Simulation::Impl::reset() {
     commands.assign(count, {});
     torques.assign(count, 0.0);
     resistances.assign(count, 0.0);
+    rollingLoads.assign(count, 0.0);
     controlTicks = 0;
     now = {};
     now.wheels.assign(count, {});
@@ -181,8 +183,7 @@ void Simulation::Impl::applyDrives() {
         }
         // Rolling resistance, moment = c N R against the absolute turn (paper, section 4), with the
         // load of the last step.
-        resistances[i] = -run.rollingResistance * now.wheels[i].normalForce * wheel.radius *
-                         std::tanh(absolute / kRollingRate);
+        resistances[i] = -rollingLoads[i] * wheel.radius * std::tanh(absolute / kRollingRate);
         now.wheels[i].torqueCommanded = drives[i].commanded();
         now.wheels[i].torqueApplied = torques[i];
         now.wheels[i].power = torques[i] * relative;
@@ -200,7 +201,10 @@ void Simulation::Impl::step() {
     before = engine->poses();
     contacts = contactFinder.find(before);
     const std::vector<double> lastGood = engine->saveState();
-    frictions.assign(contacts.size(), run.friction);
+    frictions.clear();
+    for (const contact::Contact& contact : contacts) {
+        frictions.push_back(project::groundAt(run, contact.point.x(), contact.point.y()).friction);
+    }
     engine->step({torques, resistances, contacts, frictions, motors});
     if (std::string body = blownUpBody(); !body.empty()) {
         engine->restoreState(lastGood);
@@ -261,8 +265,15 @@ std::string Simulation::Impl::whyStuck() const {
 void Simulation::Impl::measure() {
     const bool count = now.time > run.settle + run.ramp;
     observer.observe(*engine, before, contacts, count, now.wheels);
+    rollingLoads.assign(wheels.size(), 0.0);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const contact::Contact& contact = contacts[i];
+        rollingLoads[static_cast<std::size_t>(contact.wheel)] +=
+            project::groundAt(run, contact.point.x(), contact.point.y()).rollingResistance *
+            std::max(0.0, engine->contactForces()[i].dot(contact.normal));
+    }
     if (now.time > run.settle) {
-        friction.observe(contacts, engine->contactForces());
+        friction.observe(contacts, engine->contactForces(), frictions);
         loopErrorMax = std::max(loopErrorMax, dynamics::loopError(run.mechanism, engine->poses()));
         for (const contact::Contact& contact : contacts) {
             penetrationMax = std::max(penetrationMax, contact.depth);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@ namespace simcore::run {
 /// What is asked for on top of the scenario. Empty fields keep the scenario's.
 struct RunRequest {
     std::string scenario;
+    /// Of the project file; terrain files are relative to it. Empty = the working directory.
+    std::filesystem::path folder;
     std::optional<project::ControllerKind> controller;
     std::optional<double> friction;
     std::optional<double> duration;
@@ -42,13 +45,15 @@ struct ResolvedRun : project::ScenarioValues {
 };
 
 /// The ground of a scenario; it reaches beyond the way the rover is to drive, ahead of the start or
-/// (negative speed) behind it.
+/// (negative speed) behind it. Reads the terrain's files, relative to `folder`.
 Result<terrain::Terrain> makeScenarioTerrain(const project::Scenario& scenario,
-                                             const project::ParameterValues& parameters);
+                                             const project::ParameterValues& parameters,
+                                             const std::filesystem::path& folder = {});
 
 /// project::validate(), and what would keep a scenario from running: its terrain, the engine. Makes
-/// no terrain, so that an editor can ask after every edit.
-Problems checkProject(const project::Project& project);
+/// no terrain and reads no files, only looks for them in `folder`, so that an editor can ask after
+/// every edit.
+Problems checkProject(const project::Project& project, const std::filesystem::path& folder = {});
 
 /// Resolves everything a run needs; all problems, none of them left for the engine to abort on.
 Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest& request);

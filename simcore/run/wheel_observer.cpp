@@ -120,10 +120,8 @@ void WheelObserver::closeWindow(std::vector<WheelState>& states) {
     windowTime_ = 0.0;
 }
 
-FrictionMeter::FrictionMeter(const mechanism::Mechanism& mechanism, const terrain::Terrain& terrain,
-                             double friction)
-    : friction_(friction),
-      obstacles_(terrain.obstacleRange()) {
+FrictionMeter::FrictionMeter(const mechanism::Mechanism& mechanism, const terrain::Terrain& terrain)
+    : obstacles_(terrain.obstacleRange()) {
     constexpr double kLoadedShare = 0.02;
     const auto wheels = static_cast<double>(std::max<std::size_t>(1, mechanism.wheels.size()));
     smallestLoad_ = kLoadedShare * mechanism.mass() * dynamics::kGravity / wheels;
@@ -145,7 +143,7 @@ bool FrictionMeter::onObstacle(std::span<const contact::Contact> contacts) const
 }
 
 void FrictionMeter::observe(std::span<const contact::Contact> contacts,
-                            std::span<const Vec3> forces) {
+                            std::span<const Vec3> forces, std::span<const double> frictions) {
     const bool obstacle = onObstacle(contacts);
     if (!started_ && !obstacle) {
         return;
@@ -159,6 +157,7 @@ void FrictionMeter::observe(std::span<const contact::Contact> contacts,
             continue;
         }
         double load = 0.0;
+        double limit = 0.0;
         Vec3 tangential = Vec3::Zero();
         for (std::size_t k = i; k < contacts.size(); ++k) {
             const Vec3& normal = contacts[k].normal;
@@ -169,11 +168,12 @@ void FrictionMeter::observe(std::span<const contact::Contact> contacts,
             used[k] = true;
             const double n = forces[k].dot(normal);
             load += n;
+            limit += frictions[k] * n;
             tangential += forces[k] - n * normal;
         }
         if (load > smallestLoad_) {
             ++pending_.patches;
-            pending_.outside += tangential.norm() > 1.1 * friction_ * load + 0.2 ? 1 : 0;
+            pending_.outside += tangential.norm() > 1.1 * limit + 0.2 ? 1 : 0;
         }
     }
     if (obstacle) {

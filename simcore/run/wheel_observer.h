@@ -54,10 +54,11 @@ class WheelObserver {
 /// Share of loaded contact patches outside their friction cone (docs/run-report.md).
 class FrictionMeter {
   public:
-    FrictionMeter(const mechanism::Mechanism& mechanism, const terrain::Terrain& terrain,
-                  double friction);
+    FrictionMeter(const mechanism::Mechanism& mechanism, const terrain::Terrain& terrain);
     void reset();
-    void observe(std::span<const contact::Contact> contacts, std::span<const Vec3> forces);
+    /// Forces and friction coefficients of each contact.
+    void observe(std::span<const contact::Contact> contacts, std::span<const Vec3> forces,
+                 std::span<const double> frictions);
     double violationPercent() const;
 
   private:
@@ -68,7 +69,6 @@ class FrictionMeter {
 
     bool onObstacle(std::span<const contact::Contact> contacts) const;
 
-    double friction_;
     double smallestLoad_;
     std::pair<double, double> obstacles_;
     bool started_ = false;

@@ -21,7 +21,7 @@ class Ground {
     double at(int ix, int iy) const {
         ix = std::clamp(ix, 0, field_.nx - 1);
         iy = std::clamp(iy, 0, field_.ny - 1);
-        return field_.heights[static_cast<std::size_t>(ix * field_.ny + iy)];
+        return field_.at(ix, iy);
     }
 
     /// Steepest way down from a cell within the reach of a grain; {0, 0} where it rests.
@@ -56,8 +56,7 @@ class Ground {
                 const double dy = field_.y0 + iy * field_.cell - y;
                 const double rest = 1.0 - (dx * dx + dy * dy) / (radius * radius);
                 if (rest > 0.0) {
-                    field_.heights[static_cast<std::size_t>(ix * field_.ny + iy)] +=
-                        height * rest * rest;
+                    field_.at(ix, iy) += height * rest * rest;
                 }
             }
         }

@@ -1,15 +1,8 @@
 #pragma once
 
-#include <vector>
+#include "simcore/terrain/fields.h"
 
 namespace simcore::terrain {
-
-/// A height field on a regular grid: heights[ix * ny + iy] [m].
-struct HeightField {
-    double x0 = 0.0, y0 = 0.0, cell = 0.02;
-    int nx = 0, ny = 0;
-    std::vector<double> heights;
-};
 
 /// Adds particle deposition (the paper's type-2 ground): `count` grains of `radius` fall at random
 /// places with x in [start, start + length] and roll downhill over the ground and the grains below

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
-#include <Eigen/Core>
+#include "simcore/terrain/terrain.h"
 
 /// Polylines in x-z of the obstacles of the paper (step, sinus, circle, sums of them) and of common
 /// ones. A profile ends where its last feature ends; heights are relative to the ground there.
@@ -34,5 +35,15 @@ void addCircles(Profile& profile, double x, double radius, double height, double
 /// `count` steps, waves and bumps in random order and size between x and x + length, none higher
 /// than `height`; the same on both sides of the rover. The paper's type-1 ground.
 void addRandom(Profile& profile, double x, double length, double height, int count, int seed);
+
+/// Heights just before and just after x; they differ at a vertical face. Level beyond the ends.
+std::pair<double, double> heightsAt(const Profile& profile, double x);
+
+/// Heights added, vertical faces included, over the longest of the profiles.
+Profile sum(const std::vector<Profile>& profiles);
+
+/// Two profiles of equal range side by side, the left one for y > 0, each `halfWidth` wide, with a
+/// wall where they part at y = 0.
+TriangleMesh meshOfSides(const Profile& left, const Profile& right, double halfWidth);
 
 }  // namespace simcore::terrain

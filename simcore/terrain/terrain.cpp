@@ -100,30 +100,44 @@ Terrain Terrain::grid(double x0, double y0, double cell, int nx, int ny,
     TriangleMesh& mesh = terrain.mesh_;
     mesh.vertices.reserve(heights.size());
     mesh.triangles.reserve(2 * heights.size());
+    std::vector<int> vertexOf(heights.size(), -1);  // those without ground have none
+    const auto indexOf = [ny](int ix, int iy) {
+        return static_cast<std::size_t>(ix) * static_cast<std::size_t>(ny) +
+               static_cast<std::size_t>(iy);
+    };
     for (int ix = 0; ix < nx; ++ix) {
         for (int iy = 0; iy < ny; ++iy) {
-            mesh.vertices.emplace_back(
-                x0 + ix * cell, y0 + iy * cell,
-                heights[static_cast<std::size_t>(ix) * static_cast<std::size_t>(ny) +
-                        static_cast<std::size_t>(iy)]);
+            const double height = heights[indexOf(ix, iy)];
+            if (!std::isnan(height)) {
+                vertexOf[indexOf(ix, iy)] = static_cast<int>(mesh.vertices.size());
+                mesh.vertices.emplace_back(x0 + ix * cell, y0 + iy * cell, height);
+            }
         }
     }
+    const auto add = [&mesh](int a, int b, int c) {
+        if (std::min({a, b, c}) >= 0) {
+            mesh.triangles.push_back({a, b, c});
+        }
+    };
     for (int ix = 0; ix + 1 < nx; ++ix) {
         for (int iy = 0; iy + 1 < ny; ++iy) {
-            const int a = ix * ny + iy;  // near, right
-            const int b = a + ny;        // far, right
-            const int c = b + 1;         // far, left
-            const int d = a + 1;         // near, left
+            const int a = vertexOf[indexOf(ix, iy)];          // near, right
+            const int b = vertexOf[indexOf(ix + 1, iy)];      // far, right
+            const int c = vertexOf[indexOf(ix + 1, iy + 1)];  // far, left
+            const int d = vertexOf[indexOf(ix, iy + 1)];      // near, left
             // Diagonals lean the other way on the other side, so that mirrored ground is drawn by
             // mirrored triangles.
             if (y0 + (iy + 0.5) * cell < 0.0) {
-                mesh.triangles.push_back({a, b, c});
-                mesh.triangles.push_back({a, c, d});
+                add(a, b, c);
+                add(a, c, d);
             } else {
-                mesh.triangles.push_back({a, b, d});
-                mesh.triangles.push_back({b, c, d});
+                add(a, b, d);
+                add(b, c, d);
             }
         }
+    }
+    if (mesh.triangles.empty()) {
+        throw std::invalid_argument("a height field needs a triangle with three heights");
     }
     terrain.index();
     return terrain;

@@ -6,7 +6,6 @@
 
 #include "simcore/base/pose.h"
 #include "simcore/base/result.h"
-#include "simcore/project/resolve.h"
 
 /// The ground: one triangle mesh that statics, engines and the picture share.
 namespace simcore::terrain {
@@ -36,7 +35,8 @@ class Terrain {
     /// A polyline in x-z (x not decreasing, vertical faces allowed), extruded over y.
     static Terrain extruded(const std::vector<Eigen::Vector2d>& profile, double yMin, double yMax);
 
-    /// A height field on a regular grid; diagonals mirror about y = 0. heights[ix * ny + iy] [m].
+    /// A height field on a regular grid; diagonals mirror about y = 0. heights[ix * ny + iy] [m];
+    /// NaN where there is no ground.
     static Terrain grid(double x0, double y0, double cell, int nx, int ny,
                         const std::vector<double>& heights);
 
@@ -81,13 +81,5 @@ class Terrain {
     std::vector<int> cellStart_;
     std::vector<int> cellTriangles_;
 };
-
-/// Makes the terrain a scenario describes. `travel` [m] is how far the rover is to drive, negative
-/// when backwards; the ground reaches 2.5 m behind the start and 3 m beyond the way at least.
-Result<Terrain> makeTerrain(const project::Terrain& spec,
-                            const project::ParameterValues& parameters, double travel);
-
-/// What is wrong with the numbers of a terrain: makeTerrain()'s problems, without making it.
-Problems whyNoTerrain(const project::Terrain& spec, const project::ParameterValues& parameters);
 
 }  // namespace simcore::terrain

@@ -7,7 +7,7 @@
 #include "render/offscreen.h"
 #include "simcore/io/project_file.h"
 #include "simcore/project/resolve.h"
-#include "simcore/terrain/terrain.h"
+#include "simcore/terrain/make_terrain.h"
 #include "tests/bench/stopwatch.h"
 #include "tests/support/snapshots.h"
 

@@ -32,6 +32,7 @@ const std::vector<Rule>& rules() {
         {"ODE", std::regex(R"(ode/.*)"), {"simcore/dynamics/"}},
         {"nlohmann-json", std::regex(R"(nlohmann/.*)"), {"simcore/io/", "app/roversim/"}},
         {"assimp", std::regex(R"(assimp/.*)"), {"simcore/io/"}},
+        {"libpng", std::regex(R"(png\.h)"), {"simcore/io/"}},
         {"muParser", std::regex(R"(muParser\w*\.h)"), {"simcore/project/"}},
         {"CLI11", std::regex(R"(CLI/.*)"), {"app/"}},
         {"the tests", std::regex(R"(tests/.*)"), {}},

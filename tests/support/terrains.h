@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "simcore/project/names.h"
-#include "simcore/terrain/terrain.h"
+#include "simcore/terrain/make_terrain.h"
 
 namespace simcore::project {
 

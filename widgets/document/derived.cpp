@@ -4,9 +4,9 @@
 
 namespace widgets {
 
-Derived derive(const simcore::project::Project& project) {
+Derived derive(const simcore::project::Project& project, const std::filesystem::path& folder) {
     Derived derived;
-    derived.problems = simcore::run::checkProject(project);
+    derived.problems = simcore::run::checkProject(project, folder);
     auto parameters = simcore::project::evaluateParameters(project.rover);
     if (!parameters) {
         return derived;

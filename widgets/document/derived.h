@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 
 #include "simcore/mobility/mobility.h"
@@ -17,6 +18,7 @@ struct Derived {
     simcore::mobility::Report built, relaxed;  ///< of the mechanism, when there is one
 };
 
-Derived derive(const simcore::project::Project& project);
+/// `folder` is where the terrain files of the project are looked for.
+Derived derive(const simcore::project::Project& project, const std::filesystem::path& folder = {});
 
 }  // namespace widgets

@@ -114,7 +114,11 @@ Problems Document::openCopy(const QString& file) {
 Problems Document::saveAs(const QString& file) {
     Problems problems = saveCopy(file);
     if (problems.empty()) {
+        const std::filesystem::path before = folder();
         file_ = QFileInfo(file).absoluteFilePath();
+        if (folder() != before) {
+            show(project_);  // terrain files may be found now, or no longer
+        }
         undo_.setClean();
         endMerging();
         emit fileChanged();
@@ -131,13 +135,17 @@ void Document::recover(Project project, const QString& file) {
     undo_.resetClean();
 }
 
+std::filesystem::path Document::folder() const {
+    return std::filesystem::path(file_.toStdString()).parent_path();
+}
+
 QString Document::displayName() const {
     return file_.isEmpty() ? tr("Untitled") : QFileInfo(file_).fileName();
 }
 
 void Document::show(ProjectPtr project) {
     project_ = std::move(project);
-    derived_ = derive(*project_);
+    derived_ = derive(*project_, folder());
     emit changed();
 }
 

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <filesystem>
 #include <memory>
 
 #include "widgets/document/derived.h"
@@ -46,6 +47,9 @@ class Document : public QObject {
 
     /// Absolute path; empty when never saved.
     QString file() const { return file_; }
+
+    /// Folder of the file, that of the terrain files; empty when never saved.
+    std::filesystem::path folder() const;
 
     /// File name, or "Untitled".
     QString displayName() const;

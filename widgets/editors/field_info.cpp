@@ -85,15 +85,39 @@ constexpr std::array kEntries{
           QT_TRANSLATE_NOOP("fields", "x of the first feature")},
     Entry{"terrain", "length", QT_TRANSLATE_NOOP("fields", "Length"), "m",
           QT_TRANSLATE_NOOP("fields",
-                            "Step: of the top; stairs: of a tread; sinus: of a wave; "
-                            "ramp: of its run; random: of the whole")},
+                            "Step: of the top; stairs: of a tread; trench: its width; sinus: of a "
+                            "wave; ramp: of its run; cross slope: until it is reached; others: of "
+                            "the whole")},
     Entry{"terrain", "count", QT_TRANSLATE_NOOP("fields", "Number"), "",
           QT_TRANSLATE_NOOP("fields", "Of steps, waves, bumps, features or particles")},
     Entry{"terrain", "seed", QT_TRANSLATE_NOOP("fields", "Seed"), "",
           QT_TRANSLATE_NOOP("fields", "Same seed, same terrain")},
-    Entry{"soil", "friction", QT_TRANSLATE_NOOP("fields", "Friction"), "",
+    Entry{"terrain", "coverage", QT_TRANSLATE_NOOP("fields", "Coverage"), "",
+          QT_TRANSLATE_NOOP("fields", "Share of the ground under rocks, k of Golombek and Rapp")},
+    Entry{"terrain", "sides", QT_TRANSLATE_NOOP("fields", "Sides"), "",
+          QT_TRANSLATE_NOOP("fields", "Under the wheels of both sides or of one")},
+    Entry{"terrain", "symmetric", QT_TRANSLATE_NOOP("fields", "Symmetric"), "",
+          QT_TRANSLATE_NOOP("fields", "The right half is the mirror image of the left")},
+    Entry{"terrain", "cell", QT_TRANSLATE_NOOP("fields", "Cell"), "mm",
+          QT_TRANSLATE_NOOP("fields", "Between two points of the grid; an image's pixel")},
+    Entry{"terrain", "file", QT_TRANSLATE_NOOP("fields", "File"), "",
+          QT_TRANSLATE_NOOP("fields", "Relative to the project's folder, or absolute")},
+    Entry{"terrain", "units", QT_TRANSLATE_NOOP("fields", "File units"), "",
+          QT_TRANSLATE_NOOP("fields", "Unit of length of the file's numbers: m, mm, in, ...")},
+    Entry{"terrain", "scale", QT_TRANSLATE_NOOP("fields", "Scale"), "",
+          QT_TRANSLATE_NOOP("fields", "Further factor on the file's numbers")},
+    Entry{"terrain", "up", QT_TRANSLATE_NOOP("fields", "Up axis"), "",
+          QT_TRANSLATE_NOOP("fields", "The file's axis that points up")},
+    Entry{"terrain", "origin", QT_TRANSLATE_NOOP("fields", "Origin"), "m",
+          QT_TRANSLATE_NOOP("fields", "Where the file's origin lies in the world")},
+    Entry{"terrain", "terrains", QT_TRANSLATE_NOOP("fields", "Terrains added"), "", ""},
+    Entry{"soil", "regions", QT_TRANSLATE_NOOP("fields", "Regions"), "",
+          QT_TRANSLATE_NOOP("fields", "Rectangles of ground with values of their own")},
+    Entry{"region", "x", QT_TRANSLATE_NOOP("fields", "x"), "m", ""},
+    Entry{"region", "y", QT_TRANSLATE_NOOP("fields", "y"), "m", ""},
+    Entry{"", "friction", QT_TRANSLATE_NOOP("fields", "Friction"), "",
           QT_TRANSLATE_NOOP("fields", "Coulomb coefficient between wheel and ground")},
-    Entry{"soil", "rolling_resistance", QT_TRANSLATE_NOOP("fields", "Rolling resistance"), "",
+    Entry{"", "rolling_resistance", QT_TRANSLATE_NOOP("fields", "Rolling resistance"), "",
           QT_TRANSLATE_NOOP("fields", "c in: moment = c N R")},
     Entry{"controller", "speed", QT_TRANSLATE_NOOP("fields", "Speed"), "m/s", ""},
     Entry{"controller", "assumed_friction", QT_TRANSLATE_NOOP("fields", "Assumed friction"), "",
@@ -179,20 +203,36 @@ bool terrainUses(simcore::project::TerrainKind kind, const QString& key) {
         case TerrainKind::Flat:
             return any({"kind"});
         case TerrainKind::Ramp:
-            return any({"kind", "start", "slope", "length"});
+            return any({"kind", "start", "slope", "length", "sides"});
+        case TerrainKind::CrossSlope:
+            return any({"kind", "start", "slope", "length", "cell"});
         case TerrainKind::Step:
-            return any({"kind", "start", "height", "length"});
+        case TerrainKind::Trench:
+            return any({"kind", "start", "height", "length", "sides"});
         case TerrainKind::Stairs:
         case TerrainKind::Sinus:
-            return any({"kind", "start", "height", "length", "count"});
+            return any({"kind", "start", "height", "length", "count", "sides"});
         case TerrainKind::Circle:
-            return any({"kind", "start", "radius", "height", "length", "count"});
+            return any({"kind", "start", "radius", "height", "length", "count", "sides"});
         case TerrainKind::RandomProfile:
-            return any({"kind", "start", "height", "length", "count", "seed"});
+            return any({"kind", "start", "height", "length", "count", "seed", "sides"});
+        case TerrainKind::Random3d:
+            return any({"kind", "start", "height", "length", "count", "seed", "symmetric", "cell"});
         case TerrainKind::Particles:
+            return any({"kind", "start", "radius", "length", "count", "seed", "symmetric", "cell"});
+        case TerrainKind::RockField:
+            return any(
+                {"kind", "start", "radius", "length", "coverage", "seed", "symmetric", "cell"});
+        case TerrainKind::Sum:
+            return any({"kind", "terrains"});
+        case TerrainKind::Image:
+            return any({"kind", "file", "cell", "height", "origin"});
+        case TerrainKind::AsciiGrid:
+            return any({"kind", "file", "units", "scale", "origin"});
+        case TerrainKind::Mesh:
             break;
     }
-    return any({"kind", "start", "radius", "length", "count", "seed"});
+    return any({"kind", "file", "units", "scale", "up", "origin"});
 }
 
 }  // namespace widgets

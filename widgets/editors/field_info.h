@@ -68,6 +68,10 @@ inline const char* elementWord(const simcore::project::Terrain*) {
     return "terrain";
 }
 
+inline const char* elementWord(const simcore::project::SoilRegion*) {
+    return "region";
+}
+
 inline const char* elementWord(const simcore::project::Soil*) {
     return "soil";
 }

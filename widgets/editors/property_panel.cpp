@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <QWheelEvent>
@@ -316,7 +317,10 @@ class PropertyFormBuilder {
                 return field(project)[i];
             };
             FieldInfo row = info;
-            row.label = info.label + ' ' + (N == 3 ? kAxes.at(i) : QString::number(i + 1));
+            row.label = info.label + ' ' +
+                        (N == 3   ? QString(kAxes.at(i))
+                         : i == 0 ? PropertyPanel::tr("from")
+                                  : PropertyPanel::tr("to"));
             QuantityField* line = makeField(row, one, row.label);
             line->setObjectName(QString("property:%1:%2").arg(key).arg(i));
             addRow(row, line);
@@ -461,6 +465,44 @@ class PropertyFormBuilder {
         }
     }
 
+    /// A list of parts with fields of their own: a heading and a button to remove for each, one
+    /// to add.
+    template <class Part, std::enable_if_t<std::is_same_v<Part, simcore::project::Terrain> ||
+                                               std::is_same_v<Part, simcore::project::SoilRegion>,
+                                           int> = 0>
+    void row(const QString& /*word*/, const char* key, const FieldInfo& info,
+             const Access<std::vector<Part>>& field) {
+        for (std::size_t i = 0; i < read(field).size(); ++i) {
+            heading(QString("%1: %2").arg(info.label).arg(i + 1));
+            build<Part>([field, i](Project& project) -> Part& { return field(project).at(i); });
+            listButton(PropertyPanel::tr("Remove"),
+                       PropertyPanel::tr("Remove %1 %2").arg(info.label.toLower()).arg(i + 1),
+                       field, [i](std::vector<Part>& parts) {
+                           parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i));
+                       });
+        }
+        auto* add = listButton(PropertyPanel::tr("Add"),
+                               PropertyPanel::tr("Add to %1").arg(info.label.toLower()), field,
+                               [](std::vector<Part>& parts) { parts.emplace_back(); });
+        add->setObjectName(QString("add:") + key);
+    }
+
+    template <class Part, class Change>
+    QPushButton* listButton(const QString& text, const QString& meaning,
+                            const Access<std::vector<Part>>& field, Change change) {
+        auto* button = new QPushButton(text);
+        button->setAccessibleName(meaning);
+        button->setToolTip(meaning);
+        form_->addRow(button);
+        QObject::connect(button, &QPushButton::clicked, panel_,
+                         [self = *this, field, meaning, change]() mutable {
+                             std::vector<Part> parts = self.read(field);
+                             change(parts);
+                             self.set(field, std::move(parts), meaning);
+                         });
+        return button;
+    }
+
     /// A part of the element with fields of its own, under a heading.
     template <class Part, std::enable_if_t<std::is_class_v<Part>, int> = 0>
     void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
@@ -543,7 +585,11 @@ std::string shapeOf(const Project& project, ElementRef element) {
         case ElementKind::Variant:
             return shape + std::to_string(project.variants[at].set.size());
         case ElementKind::Scenario:
-            return shape + nameOf(project.scenarios[at].terrain.kind);
+            shape += nameOf(project.scenarios[at].terrain.kind);
+            for (const auto& part : project.scenarios[at].terrain.terrains) {
+                shape += '+' + nameOf(part.kind);
+            }
+            return shape + std::to_string(project.scenarios[at].soil.regions.size());
         default:
             return shape;
     }

@@ -31,7 +31,9 @@ RunSession::~RunSession() = default;
 Problems RunSession::prepare(const simcore::project::Project& project,
                              const simcore::run::RunRequest& request,
                              const std::string& projectFile) {
-    auto run = simcore::run::prepareRun(project, request);
+    simcore::run::RunRequest located = request;
+    located.folder = std::filesystem::path(projectFile).parent_path();
+    auto run = simcore::run::prepareRun(project, located);
     if (!run) {
         return run.problems();
     }

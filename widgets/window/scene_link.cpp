@@ -1,5 +1,7 @@
 #include "widgets/window/scene_link.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "simcore/run/simulation.h"
@@ -11,17 +13,21 @@ using simcore::project::ParameterValues;
 
 namespace {
 
+bool allNumbers(const simcore::project::Terrain& t) {
+    const std::array quantities{&t.start,     &t.height,    &t.length,   &t.slope,
+                                &t.radius,    &t.coverage,  &t.cell,     &t.scale,
+                                &t.origin[0], &t.origin[1], &t.origin[2]};
+    return std::all_of(quantities.begin(), quantities.end(),
+                       [](const auto* quantity) { return quantity->isLiteral(); }) &&
+           std::all_of(t.terrains.begin(), t.terrains.end(), allNumbers);
+}
+
 /// The parameters that a scenario's terrain depends on: none when it is all numbers.
 ParameterValues parametersFor(const simcore::project::Scenario& scenario,
                               const ParameterValues& parameters) {
-    const auto& t = scenario.terrain;
-    for (const auto* quantity : {&t.start, &t.height, &t.length, &t.slope, &t.radius,
-                                 &scenario.run.distance, &scenario.controller.speed}) {
-        if (!quantity->isLiteral()) {
-            return parameters;
-        }
-    }
-    return {};
+    const bool fixed = allNumbers(scenario.terrain) && scenario.run.distance.isLiteral() &&
+                       scenario.controller.speed.isLiteral();
+    return fixed ? ParameterValues() : parameters;
 }
 
 }  // namespace
@@ -103,12 +109,13 @@ void SceneLink::showTerrain() {
         return;
     }
     if (terrainShown_ && scenario->terrain == terrainOf_.terrain &&
+        document_->folder() == terrainFolder_ &&
         scenario->run.distance == terrainOf_.run.distance &&
         scenario->controller.speed == terrainOf_.controller.speed &&
         parametersFor(*scenario, parameters) == terrainParameters_) {
         return;
     }
-    auto terrain = simcore::run::makeScenarioTerrain(*scenario, parameters);
+    auto terrain = simcore::run::makeScenarioTerrain(*scenario, parameters, document_->folder());
     if (!terrain) {
         emit problems(terrain.problems());
         scene_->setTerrain(nullptr);
@@ -118,6 +125,7 @@ void SceneLink::showTerrain() {
     scene_->setTerrain(
         std::make_shared<const simcore::terrain::Terrain>(std::move(terrain).value()));
     terrainOf_ = *scenario;
+    terrainFolder_ = document_->folder();
     terrainParameters_ = parametersFor(*scenario, parameters);
     terrainShown_ = true;
 }

@@ -57,6 +57,7 @@ class SceneLink : public QObject {
     // What the design's terrain was made from.
     simcore::project::Scenario terrainOf_;
     simcore::project::ParameterValues terrainParameters_;
+    std::filesystem::path terrainFolder_;
     bool terrainShown_ = false;
 };
 

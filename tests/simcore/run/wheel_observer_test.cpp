@@ -277,7 +277,7 @@ class FrictionMeterTest : public ::testing::Test {
         }
         const std::vector<Vec3> forces{Vec3(0.0, 0.0, normal) + tangential,
                                        Vec3(0.0, 0.0, normal) + other};
-        meter.observe(contacts, forces);
+        meter.observe(contacts, forces, std::vector<double>(2, kMu));
     }
 
     static constexpr double kMu = 0.5;
@@ -292,7 +292,7 @@ class FrictionMeterTest : public ::testing::Test {
 TEST_F(FrictionMeterTest, PatchIsOutsideBeyondTheConeOnly) {
     const double limit = 1.1 * kMu * 20.0 + 0.2;
     const auto percent = [&](const Vec3& first, const Vec3& second) {
-        FrictionMeter meter(mechanism, flat, kMu);
+        FrictionMeter meter(mechanism, flat);
         observe(meter, 0.0, 10.0, first, second);
         return meter.violationPercent();
     };
@@ -305,7 +305,7 @@ TEST_F(FrictionMeterTest, PatchIsOutsideBeyondTheConeOnly) {
 
 // Three of four steps inside: 25 %. A patch without load does not count.
 TEST_F(FrictionMeterTest, PercentIsOfLoadedPatches) {
-    FrictionMeter meter(mechanism, flat, kMu);
+    FrictionMeter meter(mechanism, flat);
     observe(meter, 0.0, 10.0, {20.0, 0.0, 0.0}, Vec3::Zero());
     for (int i = 0; i < 3; ++i) {
         observe(meter, 0.0, 10.0, Vec3::Zero(), Vec3::Zero());
@@ -317,7 +317,7 @@ TEST_F(FrictionMeterTest, PercentIsOfLoadedPatches) {
 // Only what lies between the first and the last contact with an obstacle counts.
 TEST_F(FrictionMeterTest, CountsFromFirstToLastObstacleContact) {
     const Vec3 outside(20.0, 0.0, 0.0);
-    FrictionMeter meter(mechanism, step, kMu);
+    FrictionMeter meter(mechanism, step);
     observe(meter, 0.5, 10.0, outside, outside);
     EXPECT_EQ(meter.violationPercent(), 0.0);
     observe(meter, 1.2, 10.0, Vec3::Zero(), Vec3::Zero());
