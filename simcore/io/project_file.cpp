@@ -17,6 +17,8 @@ namespace simcore::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
+// Sorted keys: looking one up among very many must not be slow.
+using ReadJson = nlohmann::json;
 using project::Quantity;
 
 constexpr const char* kFormat = "roverstudio-project";
@@ -33,7 +35,7 @@ class Reader {
           problems_(problems) {}
 
     template <class T>
-    void read(const Json& json, const std::string& place, T& value);
+    void read(const ReadJson& json, const std::string& place, T& value);
 
     void problem(const std::string& place, std::string reason, std::string remedy) {
         problems_.push_back({Severity::Critical, source_ + ": " + (place.empty() ? "file" : place),
@@ -44,12 +46,12 @@ class Reader {
     template <class T>
     class FieldReader;
 
-    void wrongType(const std::string& place, const char* wanted, const Json& json) {
+    void wrongType(const std::string& place, const char* wanted, const ReadJson& json) {
         problem(place, fmt::format("expected {}, found {}.", wanted, json.type_name()),
                 "Correct the value.");
     }
 
-    void readQuantity(const Json& json, const std::string& place, Quantity& value) {
+    void readQuantity(const ReadJson& json, const std::string& place, Quantity& value) {
         if (json.is_number()) {
             value = Quantity(json.get<double>());
         } else if (json.is_string() && !json.get_ref<const std::string&>().empty()) {
@@ -60,7 +62,7 @@ class Reader {
     }
 
     template <class Enum>
-    void readEnum(const Json& json, const std::string& place, Enum& value) {
+    void readEnum(const ReadJson& json, const std::string& place, Enum& value) {
         if (!json.is_string()) {
             wrongType(place, "a name in quotes", json);
             return;
@@ -74,7 +76,7 @@ class Reader {
     }
 
     template <class T, std::size_t N>
-    void readArray(const Json& json, const std::string& place, std::array<T, N>& value) {
+    void readArray(const ReadJson& json, const std::string& place, std::array<T, N>& value) {
         if (!json.is_array() || json.size() != N) {
             problem(place, fmt::format("expected a list of {} numbers.", N),
                     "Give exactly that many, in square brackets.");
@@ -86,7 +88,7 @@ class Reader {
     }
 
     template <class T>
-    void readVector(const Json& json, const std::string& place, std::vector<T>& value) {
+    void readVector(const ReadJson& json, const std::string& place, std::vector<T>& value) {
         if (!json.is_array()) {
             wrongType(place, "a list", json);
             return;
@@ -113,7 +115,7 @@ class Reader {
 template <class T>
 class Reader::FieldReader {
   public:
-    FieldReader(Reader& reader, const Json& json, const std::string& place, T& value)
+    FieldReader(Reader& reader, const ReadJson& json, const std::string& place, T& value)
         : reader_(reader),
           json_(json),
           place_(place),
@@ -151,7 +153,7 @@ class Reader::FieldReader {
 
   private:
     Reader& reader_;
-    const Json& json_;
+    const ReadJson& json_;
     const std::string& place_;
     T& value_;
     std::set<std::string> known_;
@@ -171,7 +173,7 @@ template <class T>
 inline constexpr bool kIsOptional<std::optional<T>> = true;
 
 template <class T>
-void Reader::read(const Json& json, const std::string& place, T& value) {
+void Reader::read(const ReadJson& json, const std::string& place, T& value) {
     if constexpr (std::is_same_v<T, Quantity>) {
         readQuantity(json, place, value);
     } else if constexpr (std::is_same_v<T, std::string>) {
@@ -284,17 +286,17 @@ std::string lineAndColumn(std::string_view text, std::size_t byte) {
 struct TooDeep {};
 
 /// Parses JSON and reports keys given twice: the library would keep the last one silently.
-Json parseJson(std::string_view text, Reader& reader) {
+ReadJson parseJson(std::string_view text, Reader& reader) {
     std::vector<std::set<std::string>> keys;
-    const auto callback = [&](int depth, nlohmann::json::parse_event_t event, Json& parsed) {
+    const auto callback = [&](int depth, nlohmann::json::parse_event_t event, ReadJson& parsed) {
         if (depth > kDeepestNesting) {
             throw TooDeep{};
         }
-        if (event == Json::parse_event_t::object_start) {
+        if (event == ReadJson::parse_event_t::object_start) {
             keys.emplace_back();
-        } else if (event == Json::parse_event_t::object_end) {
+        } else if (event == ReadJson::parse_event_t::object_end) {
             keys.pop_back();
-        } else if (event == Json::parse_event_t::key &&
+        } else if (event == ReadJson::parse_event_t::key &&
                    !keys.back().insert(parsed.get<std::string>()).second) {
             reader.problem(
                 "",
@@ -303,7 +305,7 @@ Json parseJson(std::string_view text, Reader& reader) {
         }
         return true;
     };
-    return Json::parse(text, callback);
+    return ReadJson::parse(text, callback);
 }
 
 }  // namespace
@@ -311,10 +313,10 @@ Json parseJson(std::string_view text, Reader& reader) {
 Result<project::Project> parseProject(std::string_view text, const std::string& sourceName) {
     Problems problems;
     Reader reader(sourceName, problems);
-    Json json;
+    ReadJson json;
     try {
         json = parseJson(text, reader);
-    } catch (const Json::parse_error& error) {
+    } catch (const ReadJson::parse_error& error) {
         std::string reason = error.what();
         reason = reason.substr(reason.find("] ") == std::string::npos ? 0 : reason.find("] ") + 2);
         return Problem{Severity::Critical, sourceName + ": " + lineAndColumn(text, error.byte),
@@ -324,7 +326,7 @@ Result<project::Project> parseProject(std::string_view text, const std::string& 
         return Problem{Severity::Critical, sourceName,
                        fmt::format("its brackets nest deeper than {} levels.", kDeepestNesting),
                        "Correct the file; a project needs about ten."};
-    } catch (const Json::exception& error) {
+    } catch (const ReadJson::exception& error) {
         return Problem{Severity::Critical, sourceName,
                        std::string("the text cannot be read (") + error.what() + ").",
                        "Correct the file."};

@@ -13,6 +13,8 @@ namespace simcore::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
+// Sorted keys: looking one up among very many must not be slow.
+using ReadJson = nlohmann::json;
 
 constexpr const char* kSchema = "roverstudio-recording-1";
 // Bounds of what a reader takes; far beyond any rover.
@@ -27,7 +29,7 @@ void putOptional(Json& json, const char* key, const std::optional<T>& value) {
 }
 
 template <class T>
-std::optional<T> getOptional(const Json& json, const char* key) {
+std::optional<T> getOptional(const ReadJson& json, const char* key) {
     return json.contains(key) ? std::optional<T>(json.at(key).get<T>()) : std::nullopt;
 }
 
@@ -54,7 +56,7 @@ Json toJson(const run::RunRequest& request) {
     return json;
 }
 
-run::RunRequest requestFrom(const Json& json) {
+run::RunRequest requestFrom(const ReadJson& json) {
     run::RunRequest request;
     request.scenario = json.at("scenario").get<std::string>();
     request.folder = json.value("folder", std::string());
@@ -72,7 +74,7 @@ run::RunRequest requestFrom(const Json& json) {
     request.relaxedJoints = getOptional<bool>(json, "relaxed_joints");
     request.step = getOptional<double>(json, "step");
     request.seed = getOptional<int>(json, "seed");
-    for (const Json& pair : json.at("set")) {
+    for (const ReadJson& pair : json.at("set")) {
         request.assignments.push_back(
             {pair.at(0).get<std::string>(), pair.at(1).get<std::string>()});
     }
@@ -102,7 +104,7 @@ Enum enumFrom(const std::string& name, std::initializer_list<Enum> all) {
     throw std::runtime_error("'" + name + "' is not known");
 }
 
-run::Channel channelFrom(const Json& json) {
+run::Channel channelFrom(const ReadJson& json) {
     using run::ChannelGroup;
     using run::ChannelSource;
     run::Channel channel;
@@ -140,7 +142,7 @@ bool tooDeep(const std::string& text) {
     return false;
 }
 
-std::size_t partsFrom(const Json& json, const char* key) {
+std::size_t partsFrom(const ReadJson& json, const char* key) {
     const auto parts = json.at(key).get<std::size_t>();
     if (parts > kMostParts) {
         throw std::runtime_error(fmt::format("{} {} are too many", parts, key));
@@ -148,7 +150,7 @@ std::size_t partsFrom(const Json& json, const char* key) {
     return parts;
 }
 
-ParsedHeader fromJson(const Json& json) {
+ParsedHeader fromJson(const ReadJson& json) {
     if (json.at("schema") != kSchema) {
         throw std::runtime_error(
             fmt::format("schema {} is not one this program reads", json.at("schema").dump()));
@@ -165,7 +167,7 @@ ParsedHeader fromJson(const Json& json) {
     for (const auto& [name, value] : json.at("parameters").items()) {
         header.parameters[name] = value.get<double>();
     }
-    for (const Json& channel : json.at("channels")) {
+    for (const ReadJson& channel : json.at("channels")) {
         header.channels.push_back(channelFrom(channel));
     }
     if (header.channels.empty() || header.channels.front().quantity != "time") {
@@ -173,7 +175,7 @@ ParsedHeader fromJson(const Json& json) {
     }
     header.size = {partsFrom(json, "bodies"), partsFrom(json, "wheels"), partsFrom(json, "joints")};
     std::map<std::string, int> positions;
-    for (const Json& name : json.at("frame_columns")) {
+    for (const ReadJson& name : json.at("frame_columns")) {
         positions.emplace(name.get<std::string>(), static_cast<int>(parsed.frameColumns++));
     }
     for (const std::string& name : snapshotColumns(header.size)) {
@@ -244,7 +246,7 @@ Result<ParsedHeader> parseHeader(const std::string& text, const std::string& sou
         return bad("nested too deeply");
     }
     try {
-        return fromJson(Json::parse(text));
+        return fromJson(ReadJson::parse(text));
     } catch (const std::exception& error) {
         return bad(error.what());
     }

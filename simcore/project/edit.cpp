@@ -302,9 +302,10 @@ Result<Project> renamed(const Project& project, ElementRef element, const std::s
                         "Choose another name.");
     }
     if (element.kind == ElementKind::Parameter && !isParameterName(name)) {
-        return critical(element.kind, old, fmt::format("'{}' cannot be used in expressions.", name),
-                        "Use letters, digits and underscores, not starting with a digit and not "
-                        "the name of a function.");
+        return critical(
+            element.kind, old, fmt::format("'{}' cannot be used in expressions.", name),
+            "Use up to 100 letters, digits and underscores, not starting with a digit and not "
+            "the name of a function.");
     }
     Project next = project;
     withList(next, element.kind,

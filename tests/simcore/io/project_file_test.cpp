@@ -167,6 +167,18 @@ TEST(ProjectFileTest, EndlessNestingIsRefused) {
     }
 }
 
+// Looking a key up in a list of them would take minutes here.
+TEST(ProjectFileTest, VeryManyKeysAreOnlyTooMany) {
+    std::string text = R"({"format": "roverstudio-project", "version": 1)";
+    constexpr int kKeys = 100000;
+    for (int i = 0; i < kKeys; ++i) {
+        text += ", \"k" + std::to_string(i) + "\": 1";
+    }
+    const auto project = parseProject(text + "}", "cart.rover");
+    ASSERT_FALSE(project);
+    EXPECT_EQ(project.problems().size(), kKeys + 1U);  // and the rover is missing
+}
+
 TEST(ProjectFileTest, MissingAndUnreadableFilesAreProblems) {
     EXPECT_THAT(loadProject("/nowhere/a.rover").problems()[0].reason, HasSubstr("no such file"));
     EXPECT_FALSE(loadProject(std::filesystem::temp_directory_path()));  // a folder
