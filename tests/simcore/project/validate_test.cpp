@@ -316,7 +316,8 @@ TEST(ValidateTest, AllProblemsAtOnce) {
 
 // Whichever number is not a number, somebody must notice before an engine does.
 TEST(ValidateTest, EveryNumberOfTheRoverIsCheckedToBeFinite) {
-    for (const std::string& name : shippedNames()) {
+    // The Shrimp has the SOLERO's elements.
+    for (const char* name : {"solero", "rocker_bogie", "bench_rover"}) {
         const Project good = shipped(name);
         Project copy = good;
         int count = 0;
