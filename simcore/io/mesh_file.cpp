@@ -3,6 +3,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -13,6 +16,8 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 
 #include "simcore/io/terrain_file.h"
@@ -22,6 +27,9 @@ namespace {
 
 constexpr rlim_t kMostSeconds = 5;
 constexpr rlim_t kMostMemory = rlim_t{1} << 30U;
+
+/// Formats that are offered; assimp knows some fifty more, hardly any of them proven.
+constexpr std::array kFormats{"obj", "stl", "ply", "dae", "glb", "off", "3ds"};
 
 /// What the child sends before vertices and triangles.
 struct Reply {
@@ -106,9 +114,23 @@ terrain::TriangleMesh meshOf(const aiScene& scene) {
     return all;
 }
 
+/// Further files that a mesh names, such as materials: none. It must not make the program read what
+/// its author chose, a pipe for instance that never ends.
+class NoOtherFiles final : public Assimp::IOSystem {
+  public:
+    bool Exists(const char* /*file*/) const override { return false; }
+
+    char getOsSeparator() const override { return '/'; }
+
+    Assimp::IOStream* Open(const char* /*file*/, const char* /*mode*/) override { return nullptr; }
+
+    void Close(Assimp::IOStream* /*stream*/) override {}
+};
+
 /// The child's work: reads and sends the mesh, or why there is none.
 void importAndSend(std::span<const std::byte> bytes, const std::string& extension, int pipe) {
     Assimp::Importer importer;
+    importer.SetIOHandler(new NoOtherFiles);  // the importer's from now on
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFileFromMemory(
@@ -172,6 +194,14 @@ Result<terrain::TriangleMesh> readMesh(std::span<const std::byte> bytes,
     const auto problem = [&](std::string reason, std::string remedy) {
         return Problem{Severity::Critical, name, std::move(reason), std::move(remedy)};
     };
+    std::string format = extension;
+    for (char& c : format) {
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    if (std::find(kFormats.begin(), kFormats.end(), format) == kFormats.end()) {
+        return problem(fmt::format("'{}' is not a kind of mesh that is read.", extension),
+                       fmt::format("Use one of: {}.", fmt::join(kFormats, ", ")));
+    }
     const rlim_t mapped = mappedNow();
     int ends[2];
     if (pipe(ends) != 0) {
@@ -182,7 +212,7 @@ Result<terrain::TriangleMesh> readMesh(std::span<const std::byte> bytes,
         close(ends[0]);
         limitThisProcess(mapped);
         try {
-            importAndSend(bytes, extension, ends[1]);
+            importAndSend(bytes, format, ends[1]);
         } catch (...) {
             _exit(1);  // no reply says enough
         }

@@ -29,38 +29,11 @@ std::uint32_t checksum(const std::string& bytes) {
         crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
 }
 
-/// Takes bytes from the front of the input; fewer when there are no more.
-class Source {
-  public:
-    explicit Source(std::string_view bytes) : rest_(bytes) {}
-
-    bool empty() const { return rest_.empty(); }
-
-    std::string_view take(std::size_t count) {
-        const std::string_view taken = rest_.substr(0, count);
-        rest_.remove_prefix(taken.size());
-        return taken;
-    }
-
-    std::uint64_t number(std::size_t bytes) {
-        std::uint64_t value = 0;
-        std::size_t shift = 0;
-        for (const char byte : take(bytes)) {
-            value |= static_cast<std::uint64_t>(static_cast<unsigned char>(byte)) << shift;
-            shift += 8;
-        }
-        return value;
-    }
-
-  private:
-    std::string_view rest_;
-};
-
 /// Plain chunk: kind (4 bytes), rows (4), length of the contents (4), contents. As a file has it,
 /// but for the numbers a reader can find out itself.
 std::string packedFile(std::string_view plain) {
     std::string file(io::kRecordingMagic);
-    for (Source source(plain); !source.empty();) {
+    for (fuzz::Source source(plain); !source.empty();) {
         const std::string_view tag = source.take(4);
         const auto count = static_cast<std::uint32_t>(source.number(4));
         const std::string_view contents = source.take(source.number(4));

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <sstream>
 
+#include <sys/stat.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -128,6 +130,21 @@ TEST(MeshFileTest, BrokenAndEmptyMeshesAreRefused) {
         "property double y\nproperty double z\nelement face 4000000000\n"
         "property list uchar int vertex_indices\nend_header\n";
     EXPECT_FALSE(readMesh(bytesOf(greedy), "ply", "a.ply"));
+}
+
+TEST(MeshFileTest, OtherFormatsOfAssimpAreRefused) {
+    EXPECT_THAT(toString(readMesh(bytesOf("BLENDER"), "blend", "a.blend").problems()),
+                HasSubstr("'blend' is not a kind of mesh"));
+}
+
+// Reading from this pipe would wait for somebody to write into it.
+TEST_F(TerrainFileTest, FilesThatAMeshNamesAreNotOpened) {
+    const std::filesystem::path pipe = folder_ / "pipe.mtl";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const std::string text = "mtllib " + pipe.string() + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const auto mesh = readMesh(bytesOf(text), "OBJ", "a.obj");
+    ASSERT_TRUE(mesh) << toString(mesh.problems());
+    EXPECT_EQ(mesh->triangles.size(), 1U);
 }
 
 TEST_F(TerrainFileTest, MeshesRoundTrip) {
