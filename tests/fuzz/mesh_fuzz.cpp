@@ -35,7 +35,7 @@ void checkGround(const terrain::TriangleMesh& mesh) {
     }
     (void)ground->heightAt(0.1, 0.1);
     std::vector<terrain::SliceSegment> segments;
-    ground->slice({Vec3(0.1, 0.1, 0.1), Vec3::UnitY()}, 0.2, segments);
+    ground->slice({Vec3(0.1, 0.1, 0.1), Vec3::UnitX(), Vec3::UnitZ()}, 0.2, segments);
 }
 
 terrain::TriangleMesh plainMesh(fuzz::Source source) {
