@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <osg/Geode>
 #include <tuple>
 
@@ -19,8 +21,17 @@ constexpr double kSmoothCosine = 0.866;  // 30 deg
 constexpr double kHorizon = 60.0;        // [m]; the fog is opaque before
 const Material kSoil{osg::Vec4ub(160, 118, 83, 255), 1.0F, 0.0F};
 
+// Ground with more triangles than this is drawn smooth all over and not welded: creases take too
+// long to find, and its triangles are small.
+constexpr std::size_t kMostCreased = 400'000;
+
 /// Vertices at the same place count as one.
 std::vector<int> weld(const std::vector<Vec3>& vertices) {
+    if (vertices.size() > kMostCreased) {
+        std::vector<int> same(vertices.size());
+        std::iota(same.begin(), same.end(), 0);
+        return same;
+    }
     std::map<std::tuple<long, long, long>, int> first;
     std::vector<int> welded;
     for (const Vec3& p : vertices) {
@@ -31,7 +42,35 @@ std::vector<int> weld(const std::vector<Vec3>& vertices) {
     return welded;
 }
 
-osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh) {
+/// Vertices, normals and corners of the ground.
+struct Surface {
+    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+    osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
+    osg::ref_ptr<osg::DrawElementsUInt> corners = new osg::DrawElementsUInt(GL_TRIANGLES);
+};
+
+Surface smoothSurface(const TriangleMesh& mesh) {
+    Surface surface;
+    std::vector<Vec3> sums(mesh.vertices.size(), Vec3::Zero());
+    surface.corners->reserve(3 * mesh.triangles.size());
+    for (const auto& triangle : mesh.triangles) {
+        const auto at = [&](std::size_t k) {
+            return mesh.vertices[static_cast<std::size_t>(triangle[k])];
+        };
+        const Vec3 weighted = (at(1) - at(0)).cross(at(2) - at(0));
+        for (const int corner : triangle) {
+            sums[static_cast<std::size_t>(corner)] += weighted;
+            surface.corners->push_back(static_cast<unsigned>(corner));
+        }
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        surface.vertices->push_back(toOsg(mesh.vertices[i]));
+        surface.normals->push_back(toOsg(sums[i].normalized()));
+    }
+    return surface;
+}
+
+Surface creasedSurface(const TriangleMesh& mesh) {
     const std::vector<int> welded = weld(mesh.vertices);
     std::vector<Vec3> weighted(mesh.triangles.size());  // normal times twice the area
     std::vector<std::vector<int>> around(mesh.vertices.size());
@@ -44,9 +83,10 @@ osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh) {
             around[spot].push_back(static_cast<int>(t));
         }
     }
-    osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
-    osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
-    osg::ref_ptr<osg::DrawElementsUInt> corners = new osg::DrawElementsUInt(GL_TRIANGLES);
+    Surface surface;
+    osg::Vec3Array* vertices = surface.vertices;
+    osg::Vec3Array* normals = surface.normals;
+    osg::DrawElementsUInt* corners = surface.corners;
     std::vector<std::vector<unsigned>> drawn(mesh.vertices.size());  // once for each normal
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Vec3 own = weighted[t].normalized();
@@ -72,34 +112,58 @@ osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh) {
             normals->push_back(normal);
         }
     }
+    return surface;
+}
+
+osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh) {
+    const Surface surface =
+        mesh.triangles.size() > kMostCreased ? smoothSurface(mesh) : creasedSurface(mesh);
     osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
     geometry->setUseDisplayList(false);
     geometry->setUseVertexBufferObjects(true);
-    geometry->setVertexArray(vertices);
-    geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
+    geometry->setVertexArray(surface.vertices);
+    geometry->setNormalArray(surface.normals, osg::Array::BIND_PER_VERTEX);
     osg::ref_ptr<osg::Vec4ubArray> color = new osg::Vec4ubArray;
     color->push_back(kSoil.color);
     color->setNormalize(true);
     geometry->setColorArray(color, osg::Array::BIND_OVERALL);
-    geometry->addPrimitiveSet(corners);
+    geometry->addPrimitiveSet(surface.corners);
     return geometry;
 }
 
 /// Walls from the mesh's border to z = 0, where the surrounding lies.
 void addBorder(MeshBuilder& builder, const TriangleMesh& mesh) {
     const std::vector<int> welded = weld(mesh.vertices);
-    std::map<std::pair<int, int>, std::pair<Vec3, Vec3>> open;
+
+    // Each edge of each triangle, as it runs there; those of one triangle alone are the border.
+    struct Edge {
+        int low, high;
+        std::array<int, 2> ends;
+    };
+
+    std::vector<Edge> edges;
+    edges.reserve(3 * mesh.triangles.size());
     for (const auto& triangle : mesh.triangles) {
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto a = static_cast<std::size_t>(triangle[i]);
-            const auto b = static_cast<std::size_t>(triangle[(i + 1) % 3]);
-            if (open.erase({welded[b], welded[a]}) == 0) {
-                open[{welded[a], welded[b]}] = {mesh.vertices[a], mesh.vertices[b]};
-            }
+            const std::array<int, 2> ends{triangle[i], triangle[(i + 1) % 3]};
+            const int a = welded[static_cast<std::size_t>(ends[0])];
+            const int b = welded[static_cast<std::size_t>(ends[1])];
+            edges.push_back({std::min(a, b), std::max(a, b), ends});
         }
     }
-    for (const auto& [key, edge] : open) {
-        const auto& [a, b] = edge;
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+        return std::pair(a.low, a.high) < std::pair(b.low, b.high);
+    });
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const auto sameAs = [&](std::size_t k) {
+            return k < edges.size() && edges[k].low == edges[i].low &&
+                   edges[k].high == edges[i].high;
+        };
+        if (sameAs(i + 1) || (i > 0 && sameAs(i - 1))) {
+            continue;
+        }
+        const Vec3& a = mesh.vertices[static_cast<std::size_t>(edges[i].ends[0])];
+        const Vec3& b = mesh.vertices[static_cast<std::size_t>(edges[i].ends[1])];
         const Vec3 outward = (b - a).cross(Vec3::UnitZ());
         if (outward.norm() < 1e-9 || std::max(std::abs(a.z()), std::abs(b.z())) < 1e-6) {
             continue;
