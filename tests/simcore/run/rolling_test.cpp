@@ -23,8 +23,9 @@ ResolvedRun soleroOn(std::shared_ptr<const terrain::Terrain> ground, double spee
     request.duration = duration;
     auto run = prepareRun(project, request);
     EXPECT_TRUE(run) << toString(run.problems());
-    run->terrain = std::move(ground);
-    return std::move(run).value();
+    ResolvedRun resolved = std::move(run).value();
+    resolved.terrain = std::move(ground);
+    return resolved;
 }
 
 std::shared_ptr<const terrain::Terrain> levelPatch(double cell) {
