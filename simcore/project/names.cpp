@@ -1,19 +1,20 @@
 #include "simcore/project/names.h"
 
 #include <array>
+#include <span>
 #include <utility>
 
 namespace simcore::project {
 namespace {
 
 template <class Enum>
-using Table = std::pair<Enum, const char*>;
+using Entry = std::pair<Enum, const char*>;
 
-constexpr std::array<Table<ShapeKind>, 4> kShapes{{{ShapeKind::Box, "box"},
+constexpr std::array<Entry<ShapeKind>, 4> kShapes{{{ShapeKind::Box, "box"},
                                                    {ShapeKind::Cylinder, "cylinder"},
                                                    {ShapeKind::Sphere, "sphere"},
                                                    {ShapeKind::Bar, "bar"}}};
-constexpr std::array<Table<TerrainKind>, 16> kTerrains{
+constexpr std::array<Entry<TerrainKind>, 16> kTerrains{
     {{TerrainKind::Flat, "flat"},
      {TerrainKind::Ramp, "ramp"},
      {TerrainKind::CrossSlope, "cross-slope"},
@@ -30,20 +31,46 @@ constexpr std::array<Table<TerrainKind>, 16> kTerrains{
      {TerrainKind::Image, "image"},
      {TerrainKind::AsciiGrid, "ascii-grid"},
      {TerrainKind::Mesh, "mesh"}}};
-constexpr std::array<Table<Sides>, 3> kSides{
+constexpr std::array<Entry<Sides>, 3> kSides{
     {{Sides::Both, "both"}, {Sides::Left, "left"}, {Sides::Right, "right"}}};
-constexpr std::array<Table<UpAxis>, 2> kUpAxes{{{UpAxis::Z, "z"}, {UpAxis::Y, "y"}}};
-constexpr std::array<Table<ControllerKind>, 3> kControllers{
+constexpr std::array<Entry<UpAxis>, 2> kUpAxes{{{UpAxis::Z, "z"}, {UpAxis::Y, "y"}}};
+constexpr std::array<Entry<ControllerKind>, 3> kControllers{
     {{ControllerKind::Speed, "speed"},
      {ControllerKind::EqualTorque, "equal-torque"},
      {ControllerKind::Manual, "manual"}}};
-constexpr std::array<Table<SteeringMode>, 3> kSteering{{{SteeringMode::Auto, "auto"},
+constexpr std::array<Entry<SteeringMode>, 3> kSteering{{{SteeringMode::Auto, "auto"},
                                                         {SteeringMode::Skid, "skid"},
                                                         {SteeringMode::Ackermann, "ackermann"}}};
 
-template <class Enum, std::size_t N>
-std::string nameIn(const std::array<Table<Enum>, N>& table, Enum value) {
-    for (const auto& [enumerator, name] : table) {
+constexpr std::span<const Entry<ShapeKind>> tableOf(ShapeKind /*any*/) {
+    return kShapes;
+}
+
+constexpr std::span<const Entry<TerrainKind>> tableOf(TerrainKind /*any*/) {
+    return kTerrains;
+}
+
+constexpr std::span<const Entry<Sides>> tableOf(Sides /*any*/) {
+    return kSides;
+}
+
+constexpr std::span<const Entry<UpAxis>> tableOf(UpAxis /*any*/) {
+    return kUpAxes;
+}
+
+constexpr std::span<const Entry<ControllerKind>> tableOf(ControllerKind /*any*/) {
+    return kControllers;
+}
+
+constexpr std::span<const Entry<SteeringMode>> tableOf(SteeringMode /*any*/) {
+    return kSteering;
+}
+
+}  // namespace
+
+template <class Enum>
+std::string nameOf(Enum value) {
+    for (const auto& [enumerator, name] : tableOf(value)) {
         if (enumerator == value) {
             return name;
         }
@@ -51,9 +78,9 @@ std::string nameIn(const std::array<Table<Enum>, N>& table, Enum value) {
     return {};
 }
 
-template <class Enum, std::size_t N>
-std::optional<Enum> findIn(const std::array<Table<Enum>, N>& table, std::string_view name) {
-    for (const auto& [enumerator, text] : table) {
+template <class Enum>
+std::optional<Enum> fromName(std::string_view name) {
+    for (const auto& [enumerator, text] : tableOf(Enum{})) {
         if (name == text) {
             return enumerator;
         }
@@ -61,100 +88,32 @@ std::optional<Enum> findIn(const std::array<Table<Enum>, N>& table, std::string_
     return std::nullopt;
 }
 
-template <class Enum, std::size_t N>
-std::vector<std::string> namesOf(const std::array<Table<Enum>, N>& table) {
+template <class Enum>
+std::vector<std::string> allNames() {
     std::vector<std::string> names;
-    names.reserve(N);
-    for (const auto& entry : table) {
-        names.emplace_back(entry.second);
+    for (const auto& [enumerator, text] : tableOf(Enum{})) {
+        names.emplace_back(text);
     }
     return names;
 }
 
-}  // namespace
-
-std::string nameOf(ShapeKind kind) {
-    return nameIn(kShapes, kind);
-}
-
-std::string nameOf(TerrainKind kind) {
-    return nameIn(kTerrains, kind);
-}
-
-std::string nameOf(Sides sides) {
-    return nameIn(kSides, sides);
-}
-
-std::string nameOf(UpAxis axis) {
-    return nameIn(kUpAxes, axis);
-}
-
-std::string nameOf(ControllerKind kind) {
-    return nameIn(kControllers, kind);
-}
-
-std::string nameOf(SteeringMode mode) {
-    return nameIn(kSteering, mode);
-}
-
-template <>
-std::optional<ShapeKind> fromName<ShapeKind>(std::string_view name) {
-    return findIn(kShapes, name);
-}
-
-template <>
-std::optional<TerrainKind> fromName<TerrainKind>(std::string_view name) {
-    return findIn(kTerrains, name);
-}
-
-template <>
-std::optional<Sides> fromName<Sides>(std::string_view name) {
-    return findIn(kSides, name);
-}
-
-template <>
-std::optional<UpAxis> fromName<UpAxis>(std::string_view name) {
-    return findIn(kUpAxes, name);
-}
-
-template <>
-std::optional<ControllerKind> fromName<ControllerKind>(std::string_view name) {
-    return findIn(kControllers, name);
-}
-
-template <>
-std::optional<SteeringMode> fromName<SteeringMode>(std::string_view name) {
-    return findIn(kSteering, name);
-}
-
-template <>
-std::vector<std::string> allNames<ShapeKind>() {
-    return namesOf(kShapes);
-}
-
-template <>
-std::vector<std::string> allNames<TerrainKind>() {
-    return namesOf(kTerrains);
-}
-
-template <>
-std::vector<std::string> allNames<Sides>() {
-    return namesOf(kSides);
-}
-
-template <>
-std::vector<std::string> allNames<UpAxis>() {
-    return namesOf(kUpAxes);
-}
-
-template <>
-std::vector<std::string> allNames<ControllerKind>() {
-    return namesOf(kControllers);
-}
-
-template <>
-std::vector<std::string> allNames<SteeringMode>() {
-    return namesOf(kSteering);
-}
+template std::string nameOf(ShapeKind);
+template std::optional<ShapeKind> fromName(std::string_view);
+template std::vector<std::string> allNames<ShapeKind>();
+template std::string nameOf(TerrainKind);
+template std::optional<TerrainKind> fromName(std::string_view);
+template std::vector<std::string> allNames<TerrainKind>();
+template std::string nameOf(Sides);
+template std::optional<Sides> fromName(std::string_view);
+template std::vector<std::string> allNames<Sides>();
+template std::string nameOf(UpAxis);
+template std::optional<UpAxis> fromName(std::string_view);
+template std::vector<std::string> allNames<UpAxis>();
+template std::string nameOf(ControllerKind);
+template std::optional<ControllerKind> fromName(std::string_view);
+template std::vector<std::string> allNames<ControllerKind>();
+template std::string nameOf(SteeringMode);
+template std::optional<SteeringMode> fromName(std::string_view);
+template std::vector<std::string> allNames<SteeringMode>();
 
 }  // namespace simcore::project

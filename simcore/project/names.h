@@ -7,47 +7,20 @@
 
 #include "simcore/project/project.h"
 
-/// The words used for enumerators in files and on the command line.
+/// The words used for enumerators in files and on the command line: of ShapeKind, TerrainKind,
+/// Sides, UpAxis, ControllerKind and SteeringMode.
 namespace simcore::project {
 
 /// E.g. "random-profile", "equal-torque", "bar".
-std::string nameOf(ShapeKind kind);
-std::string nameOf(TerrainKind kind);
-std::string nameOf(Sides sides);
-std::string nameOf(UpAxis axis);
-std::string nameOf(ControllerKind kind);
-std::string nameOf(SteeringMode mode);
+template <class Enum>
+std::string nameOf(Enum value);
 
 /// The enumerator with that name, or nothing.
 template <class Enum>
 std::optional<Enum> fromName(std::string_view name);
-template <>
-std::optional<ShapeKind> fromName<ShapeKind>(std::string_view name);
-template <>
-std::optional<TerrainKind> fromName<TerrainKind>(std::string_view name);
-template <>
-std::optional<Sides> fromName<Sides>(std::string_view name);
-template <>
-std::optional<UpAxis> fromName<UpAxis>(std::string_view name);
-template <>
-std::optional<ControllerKind> fromName<ControllerKind>(std::string_view name);
-template <>
-std::optional<SteeringMode> fromName<SteeringMode>(std::string_view name);
 
 /// All names of an enumeration, for messages and choosers.
 template <class Enum>
 std::vector<std::string> allNames();
-template <>
-std::vector<std::string> allNames<ShapeKind>();
-template <>
-std::vector<std::string> allNames<TerrainKind>();
-template <>
-std::vector<std::string> allNames<Sides>();
-template <>
-std::vector<std::string> allNames<UpAxis>();
-template <>
-std::vector<std::string> allNames<ControllerKind>();
-template <>
-std::vector<std::string> allNames<SteeringMode>();
 
 }  // namespace simcore::project
