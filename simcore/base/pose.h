@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -26,6 +27,12 @@ struct Pose {
         return {inverseRotation, -(inverseRotation * position)};
     }
 };
+
+/// The part of a rotation that turns about a unit axis [rad], (-pi, pi].
+inline double turnAbout(const Eigen::Quaterniond& rotation, const Vec3& axis) {
+    const double half = std::atan2(axis.dot(rotation.vec()), rotation.w());
+    return std::remainder(2.0 * half, 2.0 * std::numbers::pi);
+}
 
 // Roll, pitch and yaw [rad] of R = Rz(yaw) Ry(pitch) Rx(roll): positive with the right side down,
 // nose down, and to the left.

@@ -8,7 +8,7 @@
 
 #include "simcore/base/problem.h"
 #include "simcore/contact/wheel_contact.h"
-#include "simcore/mechanism/mechanism.h"
+#include "simcore/mechanism/freedoms.h"
 
 /// Rigid-body engines behind one port. An engine advances a resolved mechanism under given wheel
 /// torques and contacts; contact search, motors, controllers and measures live outside it.
@@ -17,13 +17,10 @@ namespace simcore::dynamics {
 /// Standard engineering value used by the reference data [m/s^2].
 inline constexpr double kGravity = 9.81;
 
-/// Which freedoms the joints get: those the rover is built with, or those of the relaxed model.
-enum class JointSet { Built, Relaxed };
-
 struct EngineSettings {
     double step = 0.002;        ///< [s]
     double gravity = kGravity;  ///< along -z [m/s^2]
-    JointSet joints = JointSet::Built;
+    mechanism::Model joints = mechanism::Model::Built;
 };
 
 /// A joint that is turned at a given rate about its axis, as far as a torque limit allows: a
@@ -98,19 +95,13 @@ class Engine {
 using EngineMaker =
     std::function<std::unique_ptr<Engine>(const mechanism::Mechanism&, const EngineSettings&)>;
 
-/// Turn of a joint's second body against its first about the joint's axis [rad], (-pi, pi].
-double jointAngle(const mechanism::Joint& joint, const std::vector<Pose>& poses);
-
-/// Its rate [rad/s].
+/// Rate of mechanism::jointAngle() [rad/s].
 double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
                  const std::vector<BodyVelocity>& velocities);
 
 /// Largest gap between the two bodies of any joint, along the directions it holds [m].
 double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses,
-                 JointSet set = JointSet::Built);
-
-/// The freedoms of a joint in a joint set.
-const std::vector<mechanism::Freedom>& freedomsOf(const mechanism::Joint& joint, JointSet set);
+                 mechanism::Model model = mechanism::Model::Built);
 
 /// What the ODE engine cannot run in this mechanism; empty when it can.
 Problems whyOdeCannotRun(const mechanism::Mechanism& mechanism);

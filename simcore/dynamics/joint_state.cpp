@@ -1,18 +1,8 @@
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "simcore/dynamics/engine.h"
 
 namespace simcore::dynamics {
-
-double jointAngle(const mechanism::Joint& joint, const std::vector<Pose>& poses) {
-    const Eigen::Quaterniond relative =
-        poses[static_cast<std::size_t>(joint.first)].rotation.conjugate() *
-        poses[static_cast<std::size_t>(joint.second)].rotation;
-    const double half = std::atan2(joint.axis.dot(relative.vec()), relative.w());
-    return std::remainder(2.0 * half, 2.0 * std::numbers::pi);
-}
 
 double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
                  const std::vector<BodyVelocity>& velocities) {
@@ -22,18 +12,14 @@ double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
     return axis_W.dot(velocities[second].angular - velocities[first].angular);
 }
 
-const std::vector<mechanism::Freedom>& freedomsOf(const mechanism::Joint& joint, JointSet set) {
-    return set == JointSet::Built ? joint.built : joint.relaxed;
-}
-
 double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses,
-                 JointSet set) {
+                 mechanism::Model model) {
     double largest = 0.0;
     for (const mechanism::Joint& joint : mechanism.joints) {
         const Pose& first = poses[static_cast<std::size_t>(joint.first)];
         const Pose& second = poses[static_cast<std::size_t>(joint.second)];
         Vec3 gap = first.rotation.conjugate() * (second * joint.point - first * joint.point);
-        for (const mechanism::Freedom& freedom : freedomsOf(joint, set)) {
+        for (const mechanism::Freedom& freedom : freedomsOf(joint, model)) {
             if (freedom.kind == mechanism::FreedomKind::Slide) {
                 gap -= gap.dot(freedom.direction) * freedom.direction;
             }

@@ -232,11 +232,9 @@ void OdeEngine::makeContacts(const StepInput& input) {
             c.surface.mu = box.along;
             c.surface.mu2 = box.across;
         }
-        for (int k = 0; k < 3; ++k) {
-            c.geom.pos[k] = touch.point[k];
-            c.geom.normal[k] = touch.normal[k];
-            c.fdir1[k] = box.direction[k];
-        }
+        toOde(c.geom.pos, touch.point);
+        toOde(c.geom.normal, touch.normal);
+        toOde(c.fdir1, box.direction);
         c.geom.depth = touch.depth;
         const int body = mechanism_.wheels[static_cast<std::size_t>(touch.wheel)].body;
         const dJointID joint = dJointCreateContact(world_.world(), world_.contactGroup(), &c);

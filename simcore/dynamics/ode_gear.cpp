@@ -13,8 +13,6 @@ using mechanism::Joint;
 // The spider must not be felt: a gram, and the inertia of a gram at the mesh radius.
 constexpr double kSpiderMass = 1e-3;
 constexpr double kMeshRadius = 0.1;
-// Compliance that takes all force out of a mesh's unwanted normal row.
-constexpr double kNoForce = 1e3;
 // Share of the gear error corrected per step.
 constexpr double kErrorReduction = 0.2;
 // Sine below which two pins count as parallel.
@@ -75,21 +73,18 @@ void OdeGear::addMeshes(dWorldID world, dJointGroupID group, double step) const 
         const dReal* q = dBodyGetQuaternion(body);
         return Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
     };
-    const auto turnAbout = [&](dBodyID body, const Vec3& axis) {
-        const Eigen::Quaterniond relative = rotationOf(carrier_).conjugate() * rotationOf(body);
-        return std::remainder(2.0 * std::atan2(axis.dot(relative.vec()), relative.w()),
-                              2.0 * std::numbers::pi);
+    const auto turnOf = [&](dBodyID body, const Vec3& axis) {
+        return turnAbout(rotationOf(carrier_).conjugate() * rotationOf(body), axis);
     };
     const Eigen::Quaterniond R = rotationOf(carrier_);
     const Vec3 origin = toVec3(dBodyGetPosition(carrier_)) - R * carrierCom_;
-    const double spiderTurn = turnAbout(spider_, spiderAxis_);
+    const double spiderTurn = turnOf(spider_, spiderAxis_);
     for (const Mesh& mesh : meshes_) {
         const Vec3 point = origin + R * mesh.point;
         const Vec3 tooth = R * mesh.tooth;
         const Vec3 normal = R * spiderAxis_;
-        const double error =
-            std::remainder(mesh.turnSign * turnAbout(mesh.pinned, mesh.pinAxis) - spiderTurn,
-                           2.0 * std::numbers::pi);
+        const double error = std::remainder(
+            mesh.turnSign * turnOf(mesh.pinned, mesh.pinAxis) - spiderTurn, 2.0 * std::numbers::pi);
         dContact c{};
         c.surface.mode = dContactMu2 | dContactFDir1 | dContactSoftCFM | dContactMotion1;
         c.surface.mu = dInfinity;
@@ -97,11 +92,9 @@ void OdeGear::addMeshes(dWorldID world, dJointGroupID group, double step) const 
         c.surface.soft_cfm = kNoForce;
         // The row asks for pinned minus spider speed along the tooth; the error shrinks with it.
         c.surface.motion1 = kErrorReduction / step * mesh.spiderArm * error;
-        for (int k = 0; k < 3; ++k) {
-            c.geom.pos[k] = point[k];
-            c.geom.normal[k] = normal[k];
-            c.fdir1[k] = tooth[k];
-        }
+        toOde(c.geom.pos, point);
+        toOde(c.geom.normal, normal);
+        toOde(c.fdir1, tooth);
         const dJointID joint = dJointCreateContact(world, group, &c);
         dJointAttach(joint, mesh.pinned, spider_);
     }

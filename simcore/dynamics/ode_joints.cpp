@@ -3,39 +3,21 @@
 #include <cmath>
 
 #include "simcore/dynamics/ode_world.h"
-#include "simcore/mobility/constraint_jacobian.h"
 
 namespace simcore::dynamics {
 namespace {
 
 /// Soft, as contacts: a stop overrun in one step would else throw its arm back.
 constexpr double kStopErrorReduction = 0.2;
-/// Compliance that takes all force out of a contact's unwanted normal row.
-constexpr double kNoForce = 1e3;
 constexpr double kParallel = 1.0 - 1e-9;
 
+using mechanism::directionsOf;
 using mechanism::Freedom;
 using mechanism::FreedomKind;
 using mechanism::Joint;
 
-std::vector<Vec3> directions(const std::vector<Freedom>& freedoms, FreedomKind kind) {
-    std::vector<Vec3> found;
-    for (const Freedom& freedom : freedoms) {
-        if (freedom.kind == kind) {
-            found.push_back(freedom.direction);
-        }
-    }
-    return found;
-}
-
 bool parallel(const Vec3& a, const Vec3& b) {
     return std::abs(a.dot(b)) > kParallel;
-}
-
-void set(dReal* to, const Vec3& from) {
-    for (int k = 0; k < 3; ++k) {
-        to[k] = from[k];
-    }
 }
 
 /// Rotation vector that takes the first body's frame to the second's, in the first.
@@ -59,8 +41,8 @@ OdeJoint::OdeJoint(dWorldID world, const Joint& joint, const std::vector<Freedom
     : joint_(joint),
       first_(first),
       second_(second),
-      turns_(directions(freedoms, FreedomKind::Turn)) {
-    const std::vector<Vec3> slides = directions(freedoms, FreedomKind::Slide);
+      turns_(directionsOf(freedoms, FreedomKind::Turn)) {
+    const std::vector<Vec3> slides = directionsOf(freedoms, FreedomKind::Slide);
     const Vec3& p = joint.point;
     native_ = true;
     if (slides.empty() && turns_.size() == 1) {
@@ -84,7 +66,7 @@ OdeJoint::OdeJoint(dWorldID world, const Joint& joint, const std::vector<Freedom
         dJointSetPistonAxis(id, slides[0].x(), slides[0].y(), slides[0].z());
     } else {
         native_ = false;
-        heldSlides_ = mobility::orthogonalComplement(slides);
+        heldSlides_ = mechanism::orthogonalComplement(slides);
         if (slides.empty()) {
             const dJointID id = add(main_, dJointCreateBall(world, nullptr));
             dJointSetBallAnchor(id, p.x(), p.y(), p.z());
@@ -125,9 +107,9 @@ void OdeJoint::holdTranslations(const OdeSolve& solve) {
         c.surface.mu2 = dInfinity;
         c.surface.motion2 = rate * error.dot(normal.cross(along));
     }
-    set(c.geom.pos, point);
-    set(c.geom.normal, first.rotation * normal);
-    set(c.fdir1, first.rotation * along);
+    toOde(c.geom.pos, point);
+    toOde(c.geom.normal, first.rotation * normal);
+    toOde(c.fdir1, first.rotation * along);
     add(main_, dJointCreateContact(solve.world, solve.group, &c));
 }
 
@@ -152,7 +134,7 @@ void OdeJoint::holdRotations(const OdeSolve& solve) {
             turns_.empty()
                 ? relativeTurn(first, second)
                 : turns_[0].cross(first.rotation.conjugate() * (second.rotation * turns_[0]));
-        for (const Vec3& held : mobility::orthogonalComplement(turns_)) {
+        for (const Vec3& held : mechanism::orthogonalComplement(turns_)) {
             axes.emplace_back(first.rotation * held);
             errors.push_back(error.dot(held));
         }
@@ -228,12 +210,12 @@ JointReaction OdeJoint::reaction(const OdeSolve& solve) const {
     return sum;
 }
 
-OdeJoints::OdeJoints(dWorldID world, const mechanism::Mechanism& mechanism, JointSet set,
+OdeJoints::OdeJoints(dWorldID world, const mechanism::Mechanism& mechanism, mechanism::Model model,
                      const std::vector<dBodyID>& bodies)
     : allBodies_(bodies),
       motorOf_(mechanism.joints.size(), nullptr) {
     for (const Joint& joint : mechanism.joints) {
-        joints_.emplace_back(world, joint, freedomsOf(joint, set),
+        joints_.emplace_back(world, joint, freedomsOf(joint, model),
                              bodies[static_cast<std::size_t>(joint.first)],
                              bodies[static_cast<std::size_t>(joint.second)]);
     }

@@ -67,7 +67,7 @@ class OdeJoint {
 /// The ODE joints and gears of a mechanism, made at the drawn pose.
 class OdeJoints {
   public:
-    OdeJoints(dWorldID world, const mechanism::Mechanism& mechanism, JointSet set,
+    OdeJoints(dWorldID world, const mechanism::Mechanism& mechanism, mechanism::Model model,
               const std::vector<dBodyID>& bodies);
 
     /// The mechanism's bodies, then the auxiliary ones of gears.

@@ -22,6 +22,16 @@ inline Vec3 toVec3(const dReal* v) {
     return {v[0], v[1], v[2]};
 }
 
+inline void toOde(dReal* to, const Vec3& from) {
+    for (int k = 0; k < 3; ++k) {
+        to[k] = from[k];
+    }
+}
+
+/// Compliance that takes all force out of the normal row of a contact that serves for its friction
+/// rows only.
+inline constexpr double kNoForce = 1e3;
+
 /// Owns a world and its contact group; joints and bodies die with the world. Each world has a
 /// threading implementation of its own: ODE's default one is shared by all worlds, without locks,
 /// and worlds that step in two threads at once corrupt it.

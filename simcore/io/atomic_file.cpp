@@ -17,21 +17,19 @@ Problem systemProblem(const std::filesystem::path& file, const char* what) {
             "Check the folder, its permissions and the free space; the old file is untouched."};
 }
 
-bool writeAll(int descriptor, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = ::write(descriptor, text.data(), text.size());
-        if (written < 0) {
-            if (errno == EINTR) {
-                continue;
-            }
+}  // namespace
+
+bool writeAll(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written >= 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(written));
+        } else if (errno != EINTR) {
             return false;
         }
-        text.remove_prefix(static_cast<std::size_t>(written));
     }
     return true;
 }
-
-}  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)) {
     // A link is followed, so that saving through it changes the file and not the link.

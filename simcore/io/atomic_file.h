@@ -8,6 +8,9 @@
 
 namespace simcore::io {
 
+/// Writes all of the bytes to an open file or pipe; false, with errno, when it does not take them.
+bool writeAll(int descriptor, std::string_view bytes);
+
 /// A file that is either the old or the new one, never a part: written to a temporary file beside
 /// it, flushed to disk and renamed by commit(). Without a commit() nothing changes.
 class AtomicFile {

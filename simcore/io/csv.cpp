@@ -69,7 +69,7 @@ Json settingsOf(const run::ResolvedRun& run) {
     json["duration"] = run.duration;
     json["settle"] = run.settle;
     json["ramp"] = run.ramp;
-    json["joints"] = run.joints == dynamics::JointSet::Built ? "built" : "relaxed";
+    json["joints"] = run.joints == mechanism::Model::Built ? "built" : "relaxed";
     return json;
 }
 
@@ -166,7 +166,7 @@ Result<bool> exportCsv(RecordingReader& recording, const std::string& recordingF
     if (!project) {
         return project.problems();
     }
-    const auto settings = run::prepareRun(*project, header.request);
+    const auto settings = run::evaluateRun(*project, header.request);
     if (!settings) {
         return settings.problems();
     }

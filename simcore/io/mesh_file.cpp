@@ -20,6 +20,7 @@
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 
+#include "simcore/io/atomic_file.h"
 #include "simcore/io/terrain_file.h"
 
 namespace simcore::io {
@@ -64,16 +65,7 @@ void limitThisProcess(rlim_t mapped) {
 }
 
 bool sendAll(int pipe, const void* data, std::size_t size) {
-    const auto* at = static_cast<const char*>(data);
-    while (size > 0) {
-        const ssize_t sent = write(pipe, at, size);
-        if (sent <= 0) {
-            return false;
-        }
-        at += sent;
-        size -= static_cast<std::size_t>(sent);
-    }
-    return true;
+    return writeAll(pipe, {static_cast<const char*>(data), size});
 }
 
 bool receiveAll(int pipe, void* data, std::size_t size) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "simcore/base/version.h"
+#include "simcore/io/csv.h"
 #include "simcore/io/project_file.h"
 #include "simcore/project/names.h"
 
@@ -197,15 +198,9 @@ RecordingHeader recordingHeader(const project::Project& project, const run::RunR
     header.request = request;
     header.engine = engine;
     header.seed = run.seed;
-    for (const project::Scenario& scenario : project.scenarios) {
-        if (scenario.name == request.scenario) {
-            header.variant = scenario.variant;
-        }
-    }
-    const auto values = project::evaluateParameters(project, header.variant, request.assignments);
-    if (values) {
-        header.parameters = *values;
-    }
+    const RecordingOrigin origin = originOf(project, request, projectFile);
+    header.variant = origin.variant;
+    header.parameters = origin.parameters;
     header.channels = run::makeChannels(run.mechanism);
     header.size = {run.mechanism.bodies.size(), run.mechanism.wheels.size(),
                    run.mechanism.encoderJoints().size()};

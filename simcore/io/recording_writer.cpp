@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "simcore/io/atomic_file.h"
 #include "simcore/io/json_format.h"
 #include "simcore/io/recording.h"
 #include "simcore/io/recording_chunks.h"
@@ -32,7 +33,7 @@ struct RecordingWriter::Impl {
 
     void write(std::string_view bytes);
     void writeTable(const ChunkTag& tag, Table& table);
-    void writeAll();
+    void writeTables();
     void fail(const char* what);
 };
 
@@ -45,13 +46,8 @@ void RecordingWriter::Impl::fail(const char* what) {
 }
 
 void RecordingWriter::Impl::write(std::string_view bytes) {
-    while (!bytes.empty() && problems.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written >= 0) {
-            bytes.remove_prefix(static_cast<std::size_t>(written));
-        } else if (errno != EINTR) {
-            fail("cannot write");
-        }
+    if (problems.empty() && !writeAll(descriptor, bytes)) {
+        fail("cannot write");
     }
 }
 
@@ -62,7 +58,7 @@ void RecordingWriter::Impl::writeTable(const ChunkTag& tag, Table& table) {
     }
 }
 
-void RecordingWriter::Impl::writeAll() {
+void RecordingWriter::Impl::writeTables() {
     // Commands first: a recording that ends here can be run again up to its last row.
     writeTable(kCommandsChunk, commands);
     writeTable(kRowsChunk, rows);
@@ -116,7 +112,7 @@ void RecordingWriter::add(const std::vector<std::vector<double>>& rows,
     for (const std::vector<double>& row : rows) {
         impl_->rows.push_back(row);
         if (impl_->rows.size() >= kRowsPerChunk) {
-            impl_->writeAll();
+            impl_->writeTables();
             impl_->markWanted = true;
         }
     }
@@ -143,7 +139,7 @@ void RecordingWriter::add(const HashMark& mark) {
 }
 
 Result<bool> RecordingWriter::finish(const run::RunReport& report) {
-    impl_->writeAll();
+    impl_->writeTables();
     impl_->write(packText(kReportChunk, formatJson(toJson(report))));
     if (impl_->problems.empty() && ::fsync(impl_->descriptor) != 0) {
         impl_->fail("cannot write");

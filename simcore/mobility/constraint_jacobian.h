@@ -32,8 +32,4 @@ ConstraintJacobian constraintJacobian(const mechanism::Mechanism& mechanism, Mod
 ConstraintJacobian constraintJacobian(const mechanism::Mechanism& mechanism, Model model,
                                       const Stance& stance);
 
-/// Orthonormal directions at right angles to all of `directions`, as close to the rover's axes as
-/// can be.
-std::vector<Vec3> orthogonalComplement(const std::vector<Vec3>& directions);
-
 }  // namespace simcore::mobility

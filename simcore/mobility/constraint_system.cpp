@@ -1,7 +1,6 @@
 #include "simcore/mobility/constraint_system.h"
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace simcore::mobility {
@@ -9,18 +8,9 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using mechanism::Freedom;
+using mechanism::directionsOf;
 using mechanism::FreedomKind;
-
-std::vector<Vec3> directionsOf(const std::vector<Freedom>& freedoms, FreedomKind kind) {
-    std::vector<Vec3> directions;
-    for (const Freedom& freedom : freedoms) {
-        if (freedom.kind == kind) {
-            directions.push_back(freedom.direction);
-        }
-    }
-    return directions;
-}
+using mechanism::orthogonalComplement;
 
 std::size_t at(int index) {
     return static_cast<std::size_t>(index);
@@ -57,7 +47,7 @@ ConstraintSystem::ConstraintSystem(const mechanism::Mechanism& mechanism, Model 
 
 void ConstraintSystem::addJoint(int index, Model model) {
     const mechanism::Joint& joint = mechanism_.joints[at(index)];
-    const auto& freedoms = model == Model::Built ? joint.built : joint.relaxed;
+    const auto& freedoms = freedomsOf(joint, model);
     for (const Vec3& held : orthogonalComplement(directionsOf(freedoms, FreedomKind::Slide))) {
         rows_.push_back({Kind::JointSlide, index, held, Vec3::Zero(), Vec3::Zero(), 0});
     }
@@ -210,14 +200,6 @@ double ConstraintSystem::turnResidual(const Row& row, const Stance& stance) cons
     return sign * (row.first.dot(R_12 * row.second) - row.first.dot(row.second)) / across.norm();
 }
 
-double ConstraintSystem::turnOf(int joint, const Stance& stance) const {
-    const mechanism::Joint& pin = mechanism_.joints[at(joint)];
-    const Eigen::Quaterniond R_12 =
-        pose(stance, pin.first).rotation.conjugate() * pose(stance, pin.second).rotation;
-    return std::remainder(2.0 * std::atan2(pin.axis.dot(R_12.vec()), R_12.w()),
-                          2.0 * std::numbers::pi);
-}
-
 double ConstraintSystem::contactResidual(const Row& row, const Stance& stance) const {
     const mechanism::Wheel& wheel = mechanism_.wheels[at(row.index)];
     const Vec3& normal = start_.wheels[at(row.index)].normal;
@@ -249,7 +231,8 @@ Eigen::VectorXd ConstraintSystem::residual(const Stance& stance) const {
             value = turnResidual(row, stance);
         } else if (row.kind == Kind::Gear) {
             const mechanism::Gear& gear = mechanism_.gears[at(row.index)];
-            value = turnOf(gear.secondJoint, stance) - gear.ratio * turnOf(gear.firstJoint, stance);
+            value = jointAngle(mechanism_.joints[at(gear.secondJoint)], stance.bodies) -
+                    gear.ratio * jointAngle(mechanism_.joints[at(gear.firstJoint)], stance.bodies);
         } else {
             value = contactResidual(row, stance);
         }

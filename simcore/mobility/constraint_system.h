@@ -70,7 +70,6 @@ class ConstraintSystem {
     Vec3 contactDirection(const Row& row, const Stance& stance) const;
     double turnResidual(const Row& row, const Stance& stance) const;
     double contactResidual(const Row& row, const Stance& stance) const;
-    double turnOf(int joint, const Stance& stance) const;
     const Pose& pose(const Stance& stance, int body) const;
 
     const mechanism::Mechanism& mechanism_;

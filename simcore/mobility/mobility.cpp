@@ -121,7 +121,7 @@ void countJoints(const mechanism::Mechanism& mechanism, Model model, const Stanc
         }
     };
     for (const mechanism::Joint& joint : mechanism.joints) {
-        count((model == Model::Built ? joint.built : joint.relaxed).size());
+        count(freedomsOf(joint, model).size());
     }
     for (std::size_t i = 0; i < mechanism.wheels.size(); ++i) {
         if (!stance.wheels[i].touching) {

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "simcore/base/pose.h"
-#include "simcore/mechanism/mechanism.h"
+#include "simcore/mechanism/freedoms.h"
 #include "simcore/mobility/stance.h"
 
 /// Mobility of a mechanism on the ground: the Grübler count and what it hides.
 namespace simcore::mobility {
 
-enum class Model { Built, Relaxed };
+using mechanism::Model;
 
 /// One constraint equation, named so that a person can find it.
 struct ConstraintName {

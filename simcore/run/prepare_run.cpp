@@ -12,15 +12,6 @@
 namespace simcore::run {
 namespace {
 
-const project::Scenario* findScenario(const project::Project& project, const std::string& name) {
-    for (const project::Scenario& scenario : project.scenarios) {
-        if (scenario.name == name) {
-            return &scenario;
-        }
-    }
-    return nullptr;
-}
-
 std::string scenarioNames(const project::Project& project) {
     std::string names;
     for (const project::Scenario& scenario : project.scenarios) {
@@ -123,8 +114,7 @@ std::optional<ResolvedRun> readRun(const project::Project& project,
     run.steering = scenario.controller.steering;
     run.headingHold = scenario.controller.headingHold;
     run.seed = scenario.run.seed;
-    run.joints =
-        scenario.run.relaxedJoints ? dynamics::JointSet::Relaxed : dynamics::JointSet::Built;
+    run.joints = scenario.run.relaxedJoints ? mechanism::Model::Relaxed : mechanism::Model::Built;
     return run;
 }
 
@@ -177,21 +167,62 @@ Problems checkProject(const project::Project& project, const std::filesystem::pa
     return problems;
 }
 
-Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest& request) {
-    const project::Scenario* found = findScenario(project, request.scenario);
-    if (found == nullptr) {
-        return Problem{Severity::Critical, "scenario " + request.scenario,
-                       "the project has no scenario of this name.",
-                       fmt::format("Use one of: {}.", scenarioNames(project))};
+Result<const project::Scenario*> findScenario(const project::Project& project,
+                                              const std::string& name) {
+    for (const project::Scenario& scenario : project.scenarios) {
+        if (scenario.name == name) {
+            return &scenario;
+        }
     }
-    const project::Scenario scenario = withRequest(*found, request);
+    return Problem{Severity::Critical, "scenario " + name,
+                   "the project has no scenario of this name.",
+                   fmt::format("Use one of: {}.", scenarioNames(project))};
+}
+
+namespace {
+
+/// What was asked for, with the scenario's own values elsewhere.
+struct Asked {
+    project::Scenario scenario;
+    project::ParameterValues parameters;
+};
+
+Result<Asked> readRequest(const project::Project& project, const RunRequest& request) {
+    const auto found = findScenario(project, request.scenario);
+    if (!found) {
+        return found.problems();
+    }
+    project::Scenario scenario = withRequest(**found, request);
     const auto parameters =
         project::evaluateParameters(project, scenario.variant, request.assignments);
     if (!parameters) {
         return parameters.problems();
     }
-    Problems problems = parameters.problems();
-    auto run = readRun(project, scenario, *parameters, problems);
+    return Result<Asked>({std::move(scenario), *parameters}, parameters.problems());
+}
+
+}  // namespace
+
+Result<ResolvedRun> evaluateRun(const project::Project& project, const RunRequest& request) {
+    const auto asked = readRequest(project, request);
+    if (!asked) {
+        return asked.problems();
+    }
+    Problems problems = asked.problems();
+    auto run = readRun(project, asked->scenario, asked->parameters, problems);
+    if (!run) {
+        return problems;
+    }
+    return Result<ResolvedRun>(std::move(*run), std::move(problems));
+}
+
+Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest& request) {
+    const auto asked = readRequest(project, request);
+    if (!asked) {
+        return asked.problems();
+    }
+    Problems problems = asked.problems();
+    auto run = readRun(project, asked->scenario, asked->parameters, problems);
     if (!run) {
         return problems;
     }
@@ -199,7 +230,7 @@ Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest
         problems.push_back({Severity::Critical, "rover " + run->mechanism.name,
                             "it has no wheels to drive on.", "Add wheels."});
     }
-    auto terrain = makeScenarioTerrain(scenario, *parameters, request.folder);
+    auto terrain = makeScenarioTerrain(asked->scenario, asked->parameters, request.folder);
     appendNew(problems, terrain.problems());
     if (!terrain) {
         return problems;

@@ -72,6 +72,7 @@ struct Simulation::Impl {
     contact::WheelContactFinder contactFinder;
     std::unique_ptr<control::Controller> controller;
     std::vector<control::WheelDrive> drives;
+    std::vector<std::size_t> steered;  ///< the first wheel of each steering joint
     sensors::SensorSuite sensors;
     std::vector<int> encoders;
     WheelObserver observer;
@@ -83,8 +84,9 @@ struct Simulation::Impl {
     std::vector<double> resistances;
     std::vector<Pose> before;
     std::vector<contact::Contact> contacts;
-    std::vector<double> frictions;     ///< of each contact
-    std::vector<double> rollingLoads;  ///< c N of each wheel, of the last step [N]
+    std::vector<project::GroundValues> grounds;  ///< at each contact
+    std::vector<double> frictions;               ///< of each contact
+    std::vector<double> rollingLoads;            ///< c N of each wheel, of the last step [N]
     std::vector<dynamics::JointMotor> motors;
     long controlTicks = 0;
 
@@ -113,6 +115,15 @@ Simulation::Impl::Impl(ResolvedRun settings, const dynamics::EngineMaker& makeEn
       friction(run.mechanism, *run.terrain) {
     for (const mechanism::Wheel& wheel : run.mechanism.wheels) {
         drives.emplace_back(wheel, axleInertia(run.mechanism, wheel));
+    }
+    for (std::size_t i = 0; i < drives.size(); ++i) {
+        const int joint = run.mechanism.wheels[i].steering;
+        const bool isNew = std::none_of(steered.begin(), steered.end(), [&](std::size_t other) {
+            return run.mechanism.wheels[other].steering == joint;
+        });
+        if (joint >= 0 && isNew) {
+            steered.push_back(i);
+        }
     }
     reset();
 }
@@ -201,19 +212,13 @@ void Simulation::Impl::applyDrives() {
 }
 
 void Simulation::Impl::applySteering() {
-    for (std::size_t i = 0; i < drives.size(); ++i) {
+    for (const std::size_t i : steered) {
         const mechanism::Wheel& wheel = run.mechanism.wheels[i];
-        const bool isNew = std::none_of(
-            run.mechanism.wheels.begin(), run.mechanism.wheels.begin() + static_cast<long>(i),
-            [&](const mechanism::Wheel& other) { return other.steering == wheel.steering; });
-        if (wheel.steering >= 0 && isNew) {
-            const double angle = dynamics::jointAngle(
-                run.mechanism.joints[static_cast<std::size_t>(wheel.steering)], engine->poses());
-            motors.push_back(
-                {wheel.steering,
-                 control::servoRate(commands[i].steering, angle, wheel.steeringSpeedLimit),
-                 wheel.steeringTorqueLimit});
-        }
+        const double angle = jointAngle(
+            run.mechanism.joints[static_cast<std::size_t>(wheel.steering)], engine->poses());
+        motors.push_back({wheel.steering,
+                          control::servoRate(commands[i].steering, angle, wheel.steeringSpeedLimit),
+                          wheel.steeringTorqueLimit});
     }
 }
 
@@ -224,9 +229,11 @@ void Simulation::Impl::step() {
     before = engine->poses();
     contacts = contactFinder.find(before);
     const std::vector<double> lastGood = engine->saveState();
+    grounds.clear();
     frictions.clear();
     for (const contact::Contact& contact : contacts) {
-        frictions.push_back(project::groundAt(run, contact.point.x(), contact.point.y()).friction);
+        grounds.push_back(project::groundAt(run, contact.point.x(), contact.point.y()));
+        frictions.push_back(grounds.back().friction);
     }
     engine->step({torques, resistances, contacts, frictions, motors});
     if (std::string body = blownUpBody(); !body.empty()) {
@@ -292,7 +299,7 @@ void Simulation::Impl::measure() {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const contact::Contact& contact = contacts[i];
         rollingLoads[static_cast<std::size_t>(contact.wheel)] +=
-            project::groundAt(run, contact.point.x(), contact.point.y()).rollingResistance *
+            grounds[i].rollingResistance *
             std::max(0.0, engine->contactForces()[i].dot(contact.normal));
     }
     if (now.time > run.settle) {
@@ -330,7 +337,7 @@ void Simulation::Impl::updateSnapshot() {
     now.joints.clear();
     for (const int index : encoders) {
         const mechanism::Joint& joint = run.mechanism.joints[static_cast<std::size_t>(index)];
-        now.joints.push_back({dynamics::jointAngle(joint, engine->poses()),
+        now.joints.push_back({jointAngle(joint, engine->poses()),
                               dynamics::jointRate(joint, engine->poses(), engine->velocities())});
     }
     now.speed = (pose.rotation * Vec3::UnitX()).dot(velocity.linear + velocity.angular.cross(arm));

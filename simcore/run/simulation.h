@@ -46,7 +46,7 @@ struct ResolvedRun : project::ScenarioValues {
     mechanism::Mechanism mechanism;
     std::shared_ptr<const terrain::Terrain> terrain;
     project::ControllerKind controller = project::ControllerKind::Speed;
-    dynamics::JointSet joints = dynamics::JointSet::Built;
+    mechanism::Model joints = mechanism::Model::Built;
     project::SteeringMode steering = project::SteeringMode::Auto;
     bool headingHold = false;
     int seed = 1;
@@ -63,6 +63,14 @@ Result<terrain::Terrain> makeScenarioTerrain(const project::Scenario& scenario,
 /// no terrain and reads no files, only looks for them in `folder`, so that an editor can ask after
 /// every edit.
 Problems checkProject(const project::Project& project, const std::filesystem::path& folder = {});
+
+/// The scenario of that name; the problem lists those there are.
+Result<const project::Scenario*> findScenario(const project::Project& project,
+                                              const std::string& name);
+
+/// A run's settings and mechanism without its ground, so without any of its files: for what only
+/// tells of a run.
+Result<ResolvedRun> evaluateRun(const project::Project& project, const RunRequest& request);
 
 /// Resolves everything a run needs; all problems, none of them left for the engine to abort on.
 Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest& request);

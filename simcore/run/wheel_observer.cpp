@@ -80,7 +80,7 @@ void WheelObserver::observeMotion(std::size_t wheel, const Pose& before, const P
     const Vec3 moved = after * w.center - before * w.center;
     // Absolute turn of the wheel, so that a pitching carrier is not read as slip.
     const Eigen::Quaterniond turned = after.rotation * before.rotation.conjugate();
-    const double turn = 2.0 * std::atan2(axis.dot(turned.vec()), turned.w());
+    const double turn = turnAbout(turned, axis);
     const double slip = moved.dot(tangent) - turn * frame.effectiveRadius;  // paper eq. 5
     state.rate = axis.dot(velocity.angular);
     state.centerSpeed = moved.dot(tangent) / step_;

@@ -88,7 +88,7 @@ control::Sensors SensorSuite::truth(const dynamics::Engine& engine, const run::S
     lastLook_ = now.time;
     truth.imu.acceleration = R_CW * (acceleration + dynamics::kGravity * Vec3::UnitZ());
     for (const int joint : encoders_) {
-        truth.joints.push_back(dynamics::jointAngle(
+        truth.joints.push_back(mechanism::jointAngle(
             mechanism_.joints[static_cast<std::size_t>(joint)], engine.poses()));
     }
     for (std::size_t i = 0; i < mechanism_.wheels.size(); ++i) {

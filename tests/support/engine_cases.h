@@ -57,7 +57,7 @@ inline std::string nameOfCase(const ::testing::TestParamInfo<EngineCase>& info) 
 class World {
   public:
     World(const EngineCase& engine, Mechanism mechanism, double gravity, double step = 0.001,
-          simcore::dynamics::JointSet joints = simcore::dynamics::JointSet::Built)
+          simcore::mechanism::Model joints = simcore::mechanism::Model::Built)
         : mechanism_(std::move(mechanism)),
           step_(step),
           engine_(engine.make(mechanism_, {step, gravity, joints})),

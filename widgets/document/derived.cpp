@@ -17,8 +17,9 @@ Derived derive(const simcore::project::Project& project, const std::filesystem::
         return derived;
     }
     derived.mechanism = std::move(mechanism).value();
-    derived.built = analyse(*derived.mechanism, simcore::mobility::Model::Built);
-    derived.relaxed = analyse(*derived.mechanism, simcore::mobility::Model::Relaxed);
+    derived.built = simcore::mobility::analyse(*derived.mechanism, simcore::mobility::Model::Built);
+    derived.relaxed =
+        simcore::mobility::analyse(*derived.mechanism, simcore::mobility::Model::Relaxed);
     return derived;
 }
 

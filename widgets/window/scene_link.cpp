@@ -139,9 +139,7 @@ void SceneLink::setModel(simcore::mobility::Model model) {
 void SceneLink::showFreedoms() {
     std::vector<int> counts;
     for (const auto& joint : mechanism_.joints) {
-        const auto& freedoms =
-            model_ == simcore::mobility::Model::Built ? joint.built : joint.relaxed;
-        counts.push_back(static_cast<int>(freedoms.size()));
+        counts.push_back(static_cast<int>(freedomsOf(joint, model_).size()));
     }
     scene_->setJointFreedomCounts(std::move(counts));
 }

@@ -35,6 +35,22 @@ double periodFactor(double amplitude) {
     return 1.0 / a;
 }
 
+/// A rod that hangs level from a pin in a fixed frame.
+struct Pendulum {
+    double mass = 0.8;                          ///< [kg]
+    double arm = 0.3;                           ///< pin to centre of mass [m]
+    double inertia = 0.024 + mass * arm * arm;  ///< about the pin [kg m^2]
+
+    Mechanism make() const {
+        Mechanism mechanism;
+        mechanism.bodies = {makeBody("frame", 5.0, Vec3::Zero()),
+                            makeBody("rod", mass, {arm, 0.0, 0.0}, {1e-3, 0.024, 0.024})};
+        mechanism.bodies[0].fixed = true;
+        mechanism.joints = {makePin("pin", 0, 1, Vec3::Zero())};
+        return mechanism;
+    }
+};
+
 /// A plane four-bar on a fixed frame: crank at the origin, follower at (ground, 0), both upwards.
 struct FourBar {
     double ground = 0.30, crank = 0.10, coupler = 0.28, follower = 0.22;
@@ -76,21 +92,15 @@ INSTANTIATE_TEST_SUITE_P(Engines, MechanismConformanceTest,
 // A rod released level swings through its lowest point after a quarter of the large-swing period,
 // at the rate that energy gives.
 TEST_P(MechanismConformanceTest, PendulumKeepsTimeAndEnergy) {
-    const double m = 0.8;
-    const double l = 0.3;
-    const double inertia = 0.024 + m * l * l;
-    Mechanism mechanism;
-    mechanism.bodies = {makeBody("frame", 5.0, Vec3::Zero()),
-                        makeBody("rod", m, {l, 0.0, 0.0}, {1e-3, 0.024, 0.024})};
-    mechanism.bodies[0].fixed = true;
-    mechanism.joints = {makePin("pin", 0, 1, Vec3::Zero())};
-    World world(GetParam(), mechanism, kGravity, 0.0005);
-    const double quarter =
-        0.5 * kPi * std::sqrt(inertia / (m * kGravity * l)) * periodFactor(kPi / 2.0);
+    const Pendulum rod;
+    World world(GetParam(), rod.make(), kGravity, 0.0005);
+    const double quarter = 0.5 * kPi * std::sqrt(rod.inertia / (rod.mass * kGravity * rod.arm)) *
+                           periodFactor(kPi / 2.0);
     world.run(quarter);
     EXPECT_NEAR(turn(world, 0), kPi / 2.0, 5e-3);  // a turn about +y takes +x down
-    EXPECT_NEAR(jointRate(mechanism.joints[0], world.engine().poses(), world.engine().velocities()),
-                std::sqrt(2.0 * m * kGravity * l / inertia), 5e-3);
+    EXPECT_NEAR(
+        jointRate(world.mechanism().joints[0], world.engine().poses(), world.engine().velocities()),
+        std::sqrt(2.0 * rod.mass * kGravity * rod.arm / rod.inertia), 5e-3);
     world.run(quarter);
     EXPECT_NEAR(turn(world, 0), kPi, 2e-2);
 }
@@ -98,22 +108,16 @@ TEST_P(MechanismConformanceTest, PendulumKeepsTimeAndEnergy) {
 // The pin of a swinging rod carries its weight and the centripetal force: m g (1 + 2 m l^2 / I) at
 // the lowest point after a fall from level.
 TEST_P(MechanismConformanceTest, PinReactionIsThatOfTheSwing) {
-    const double m = 0.8;
-    const double l = 0.3;
-    const double inertia = 0.024 + m * l * l;
-    Mechanism mechanism;
-    mechanism.bodies = {makeBody("frame", 5.0, Vec3::Zero()),
-                        makeBody("rod", m, {l, 0.0, 0.0}, {1e-3, 0.024, 0.024})};
-    mechanism.bodies[0].fixed = true;
-    mechanism.joints = {makePin("pin", 0, 1, Vec3::Zero())};
-    World world(GetParam(), mechanism, kGravity, 0.0005);
+    const Pendulum rod;
+    World world(GetParam(), rod.make(), kGravity, 0.0005);
     double largest = 0.0;
     for (int i = 0; i < 2000; ++i) {
         world.step();
         largest = std::max(largest, world.engine().jointReactions()[0].force.z());
         EXPECT_NEAR(world.engine().jointReactions()[0].torque.norm(), 0.0, 1e-6);
     }
-    const double expected = m * kGravity * (1.0 + 2.0 * m * l * l / inertia);
+    const double expected =
+        rod.mass * kGravity * (1.0 + 2.0 * rod.mass * rod.arm * rod.arm / rod.inertia);
     EXPECT_NEAR(largest, expected, 5e-3 * expected);
 }
 
@@ -163,7 +167,7 @@ TEST_P(MechanismConformanceTest, FloatingRoverKeepsItsEnergy) {
     for (Joint& joint : rover.joints) {
         joint.damping = 0.0;
     }
-    for (const JointSet joints : {JointSet::Built, JointSet::Relaxed}) {
+    for (const mechanism::Model joints : {mechanism::Model::Built, mechanism::Model::Relaxed}) {
         World world(GetParam(), rover, 0.0, 0.001, joints);
         for (std::size_t i = 0; i < world.drive.size(); ++i) {
             world.drive[i] = i % 2 == 0 ? 0.05 : -0.04;

@@ -265,13 +265,13 @@ TEST(RandomSampleTest, HasRedundantAndExactMechanisms) {
 }
 
 TEST(OrthogonalComplementTest, CompletesAnyDirectionsToABasis) {
-    EXPECT_EQ(orthogonalComplement({}).size(), 3U);
-    EXPECT_EQ(orthogonalComplement({Vec3::UnitX(), -Vec3::UnitX()}).size(), 2U);
+    EXPECT_EQ(mechanism::orthogonalComplement({}).size(), 3U);
+    EXPECT_EQ(mechanism::orthogonalComplement({Vec3::UnitX(), -Vec3::UnitX()}).size(), 2U);
     const Vec3 skew = Vec3(0.3, -0.8, 0.2);
-    const auto rest = orthogonalComplement({skew});
+    const auto rest = mechanism::orthogonalComplement({skew});
     ASSERT_EQ(rest.size(), 2U);
     EXPECT_NEAR(rest[0].dot(skew), 0.0, 1e-12);
     EXPECT_NEAR(rest[1].dot(skew), 0.0, 1e-12);
     EXPECT_NEAR(rest[0].dot(rest[1]), 0.0, 1e-12);
-    EXPECT_TRUE(orthogonalComplement({skew, Vec3::UnitX(), Vec3::UnitZ()}).empty());
+    EXPECT_TRUE(mechanism::orthogonalComplement({skew, Vec3::UnitX(), Vec3::UnitZ()}).empty());
 }

@@ -63,8 +63,7 @@ TEST_P(RoverConformanceTest, LockedCartDoesNotCreepOnASlope) {
 TEST_P(RoverConformanceTest, RelaxedJointsGiveTheSameLoadsAndSlip) {
     ResolvedRun settings = shippedRun("solero", "rough-profile", 1.2);
     std::vector<RunReport> reports;
-    for (const dynamics::JointSet joints :
-         {dynamics::JointSet::Built, dynamics::JointSet::Relaxed}) {
+    for (const mechanism::Model joints : {mechanism::Model::Built, mechanism::Model::Relaxed}) {
         settings.joints = joints;
         Simulation simulation(settings, GetParam().make);
         reports.push_back(runToEnd(simulation));
@@ -122,9 +121,7 @@ TEST_P(RoverConformanceTest, DifferentialHalvesTheRockersTurn) {
         // Turns of the rockers against the chassis about its pins are equal and opposite.
         const Vec3 y = bodies[chassis].rotation * Vec3::UnitY();
         const auto turnOf = [&](std::size_t body) {
-            const Eigen::Quaterniond q =
-                bodies[body].rotation * bodies[chassis].rotation.conjugate();
-            return 2.0 * std::atan2(y.dot(q.vec()), q.w());
+            return turnAbout(bodies[body].rotation * bodies[chassis].rotation.conjugate(), y);
         };
         ASSERT_NEAR(turnOf(left) + turnOf(right), 0.0, 1e-4);
         widest = std::max(widest, std::abs(turnOf(left) - turnOf(right)));
