@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/roversim/commands.h"
+#include "app/roversim/run_options.h"
 #include "simcore/io/csv.h"
 #include "simcore/io/json_format.h"
 #include "simcore/io/mobility_json.h"
@@ -22,43 +23,15 @@ using namespace simcore;
 
 namespace {
 
-struct Options {
-    std::string file;
-    std::string scenario;
-    std::string controller;
+struct Options : RunOptions {
     std::optional<double> friction;
     std::optional<double> duration;
-    std::optional<double> distance;
-    std::optional<double> height;
-    std::optional<double> step;
     std::optional<int> seed;
-    std::string joints;
-    std::vector<std::string> set;
     std::string drive;
     std::string csv;
     std::string record;
     bool json = false;
 };
-
-run::RunRequest requestOf(const Options& options, std::vector<project::Assignment> assignments) {
-    run::RunRequest request;
-    request.scenario = options.scenario;
-    request.folder = std::filesystem::path(options.file).parent_path();
-    if (!options.controller.empty()) {
-        request.controller = project::fromName<project::ControllerKind>(options.controller);
-    }
-    request.friction = options.friction;
-    request.duration = options.duration;
-    request.distance = options.distance;
-    request.terrainHeight = options.height;
-    request.step = options.step;
-    request.seed = options.seed;
-    if (!options.joints.empty()) {
-        request.relaxedJoints = options.joints == "relaxed";
-    }
-    request.assignments = std::move(assignments);
-    return request;
-}
 
 /// One line on a terminal, rewritten about five times a simulated second.
 class Progress {
@@ -163,10 +136,13 @@ void printTable(const run::RunReport& report) {
 }
 
 int runScenario(const Options& options) {
-    auto assignments = parseAssignments(options.set);
-    if (!assignments) {
+    auto request = requestOf(options);
+    if (!request) {
         return kWrongUse;
     }
+    request->friction = options.friction;
+    request->duration = options.duration;
+    request->seed = options.seed;
     run::DriveScript script;
     if (!options.drive.empty()) {
         auto parsed = run::parseDriveScript(options.drive);
@@ -180,8 +156,7 @@ int runScenario(const Options& options) {
     if (!project) {
         return kAnswerIsNo;
     }
-    const run::RunRequest request = requestOf(options, *assignments);
-    auto prepared = run::prepareRun(*project, request);
+    auto prepared = run::prepareRun(*project, *request);
     printProblems(options.file, prepared.problems());
     if (!prepared) {
         return kAnswerIsNo;
@@ -202,7 +177,7 @@ int runScenario(const Options& options) {
     std::unique_ptr<io::RecordingWriter> writer;
     if (!options.record.empty()) {
         auto created = io::RecordingWriter::create(
-            options.record, io::recordingHeader(*project, request, simulation.settings(),
+            options.record, io::recordingHeader(*project, *request, simulation.settings(),
                                                 simulation.report().engine, options.file));
         printProblems(options.record, created.problems());
         if (!created) {
@@ -220,7 +195,7 @@ int runScenario(const Options& options) {
         recorded = finished.ok();
     }
     if (!options.csv.empty()) {
-        const io::RecordingOrigin origin = io::originOf(*project, request, options.file);
+        const io::RecordingOrigin origin = io::originOf(*project, *request, options.file);
         const auto saved =
             io::saveCsv(recording, simulation.settings(), report, origin, options.csv);
         printProblems(options.csv, saved.problems());
@@ -244,23 +219,12 @@ int runScenario(const Options& options) {
 void addRunCommand(CLI::App& app, int& exitCode) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("run", "Drive a scenario and report slip and torque");
-    command->add_option("FILE", options->file, "Project file (.rover)")->required();
-    command->add_option("--scenario", options->scenario, "Scenario of the project")->required();
-    command->add_option("--controller", options->controller, "Controller instead of the scenario's")
-        ->check(CLI::IsMember(project::allNames<project::ControllerKind>()));
+    addRunOptions(*command, *options);
     command->add_option("--mu", options->friction, "Friction coefficient")
         ->check(CLI::Range(0.0, 5.0));
     command->add_option("--duration", options->duration, "Simulated time [s]")
         ->check(CLI::Range(1e-3, 1e5));
-    command->add_option("--distance", options->distance, "Distance that completes the run [m]")
-        ->check(CLI::Range(0.01, 1000.0));
-    command->add_option("--height", options->height, "Height of the terrain's obstacles [m]");
-    command->add_option("--dt", options->step, "Engine step [s]")->check(CLI::Range(1e-5, 0.02));
     command->add_option("--seed", options->seed, "Seed of random terrain");
-    command->add_option("--joints", options->joints, "Joints instead of the scenario's")
-        ->check(CLI::IsMember({"built", "relaxed"}));
-    command->add_option("--set", options->set, "NAME=VALUE, set a parameter (may be repeated)")
-        ->allow_extra_args(false);
     command->add_option("--drive", options->drive,
                         "Commands of a manual run: TIME,SPEED,TURN; ... [s, m/s, rad/s]");
     command->add_option("--csv", options->csv, "Write all channels to this file");

@@ -24,24 +24,20 @@ struct Options {
 
 std::optional<terrain::Terrain> groundOf(const project::Project& project, const Options& options,
                                          const std::vector<project::Assignment>& assignments) {
-    for (const project::Scenario& scenario : project.scenarios) {
-        if (scenario.name != options.scenario) {
-            continue;
-        }
-        const auto parameters = project::evaluateParameters(project, scenario.variant, assignments);
-        printProblems(options.file, parameters.problems());
-        if (!parameters) {
-            return std::nullopt;
-        }
-        auto terrain = run::makeScenarioTerrain(scenario, *parameters,
-                                                std::filesystem::path(options.file).parent_path());
-        printProblems(options.file, terrain.problems());
-        return terrain ? std::optional(std::move(terrain).value()) : std::nullopt;
+    const auto scenario = run::findScenario(project, options.scenario);
+    printProblems(options.file, scenario.problems());
+    if (!scenario) {
+        return std::nullopt;
     }
-    printProblems(options.file, {{Severity::Critical, "scenario " + options.scenario,
-                                  "the project has no scenario of this name.",
-                                  "Use one that 'roversim validate' or the file lists."}});
-    return std::nullopt;
+    const auto parameters = project::evaluateParameters(project, (*scenario)->variant, assignments);
+    printProblems(options.file, parameters.problems());
+    if (!parameters) {
+        return std::nullopt;
+    }
+    auto terrain = run::makeScenarioTerrain(**scenario, *parameters,
+                                            std::filesystem::path(options.file).parent_path());
+    printProblems(options.file, terrain.problems());
+    return terrain ? std::optional(std::move(terrain).value()) : std::nullopt;
 }
 
 int writeTerrain(const Options& options) {
