@@ -12,6 +12,8 @@ namespace simcore::terrain {
 /// Larger files are refused: a million points take about 150 MB once they are a ground.
 inline constexpr std::size_t kMostRasterPoints = 4'000'000;
 inline constexpr std::size_t kMostMeshTriangles = 2'000'000;
+/// Ground from a file lies within this [m], so that places are exact to 1 um.
+inline constexpr double kFarthestGround = 10'000.0;
 
 /// Heights on a regular grid.
 struct Raster {

@@ -80,6 +80,7 @@ class Part {
 
     Result<Terrain> makeRaster(const Imports& imports) const;
     Result<Terrain> makeMesh(const Imports& imports) const;
+    Problems whyNotPlaced(const Imports& imports) const;
 
   private:
     double number(const project::Quantity& quantity, const char* what,
@@ -282,6 +283,34 @@ void Part::addTo(HeightField& field, const Imports& imports) const {
     }
 }
 
+/// Why the points of a raster cannot be ground where its file and the scenario put them.
+Problems Part::whyNotPlaced(const Imports& imports) const {
+    constexpr double kClosest = 1e-4;  // [m], assumed: finer than any wheel feels
+    const Raster& raster = imports.rasters.at(spec_.file);
+    const Placed p = place(raster);
+    double farthest = 0.0;
+    const auto reach = [&farthest](double coordinate) {
+        farthest = std::max(farthest, std::abs(coordinate));
+    };
+    reach(p.x);
+    reach(p.y);
+    reach(p.x + p.cell * (raster.columns - 1));
+    reach(p.y + p.cell * (raster.rows - 1));
+    for (const double value : raster.values) {
+        reach(std::isnan(value) ? 0.0 : p.base + p.unit * value);
+    }
+    if (!(farthest <= kFarthestGround) || !(p.cell >= kClosest)) {
+        return {
+            {Severity::Critical, element_ + ", file",
+             fmt::format("its points are {:.6g} m apart and up to {:.6g} m away.", p.cell,
+                         farthest),
+             fmt::format("Check the file, its units, scale and origin: {} m apart at least, {} m "
+                         "away at most.",
+                         kClosest, kFarthestGround)}};
+    }
+    return {};
+}
+
 Result<Terrain> Part::makeRaster(const Imports& imports) const {
     const Raster& raster = imports.rasters.at(spec_.file);
     const Placed p = place(raster);
@@ -343,6 +372,11 @@ class TerrainMaker {
             problems_.push_back({Severity::Critical, element_ + ", travel",
                                  fmt::format("{:.6g} m is more than 1000 m.", travel_),
                                  "Shorten the run's distance."});
+        }
+        for (const Part& part : parts_) {
+            if (part.isRaster() && !hasCritical(problems_)) {
+                appendNew(problems_, part.whyNotPlaced(imports));
+            }
         }
         if (hasCritical(problems_)) {
             return problems_;

@@ -6,12 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "simcore/terrain/imports.h"
+
 namespace simcore::terrain {
 namespace {
 
-constexpr double kSamePlace = 1e-6;   // [m]
-constexpr double kThin = 1e-9;        // triangles less high than this have no area [m]
-constexpr double kFarthest = 10'000;  // [m], so that places stay exact to 1 um in the look-up
+constexpr double kSamePlace = 1e-6;  // [m]
+constexpr double kThin = 1e-9;       // triangles less high than this have no area [m]
 
 using Triangle = std::array<int, 3>;
 
@@ -138,7 +139,7 @@ Result<TriangleMesh> cleanMesh(const TriangleMesh& mesh, const std::string& elem
         return Problem{Severity::Critical, element, std::move(reason), std::move(remedy)};
     };
     for (const Vec3& v : mesh.vertices) {
-        if (!(v.cwiseAbs().maxCoeff() <= kFarthest)) {
+        if (!(v.cwiseAbs().maxCoeff() <= kFarthestGround)) {
             return critical("a vertex is not a finite number, or more than 10 km away.",
                             "Check the file and its units, scale and origin.");
         }

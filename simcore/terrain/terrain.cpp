@@ -229,13 +229,13 @@ void Terrain::index() {
 }
 
 double Terrain::heightAt(double x, double y) const {
-    const int ix = static_cast<int>(std::floor((x - gridX0_) / cellSize_));
-    const int iy = static_cast<int>(std::floor((y - gridY0_) / cellSize_));
+    const double cellX = std::floor((x - gridX0_) / cellSize_);
+    const double cellY = std::floor((y - gridY0_) / cellSize_);
     double height = std::numeric_limits<double>::quiet_NaN();
-    if (ix < 0 || iy < 0 || ix >= gridNx_ || iy >= gridNy_) {
-        return height;
+    if (!(cellX >= 0.0 && cellY >= 0.0 && cellX < gridNx_ && cellY < gridNy_)) {
+        return height;  // a place too far away for an int among them
     }
-    const std::size_t cell = cellAt(ix, iy);
+    const std::size_t cell = cellAt(static_cast<int>(cellX), static_cast<int>(cellY));
     for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
         const auto& t =
             mesh_.triangles[static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)])];

@@ -303,3 +303,28 @@ TEST(KindsTest, MeshesArePlacedAndCleaned) {
     EXPECT_THAT(toString(makeTerrain(terrain, {}, 3.5, imports).problems()),
                 testing::HasSubstr("no triangles with an area"));
 }
+
+TEST(RasterTest, PointsThatNoRoverReachesAreRefused) {
+    Imports imports;
+    imports.rasters["a.asc"] = {2, 2, {0.0, 1.0, 2.0, 3.0}, 0.0, 0.0, 1.0};
+    project::Terrain terrain;
+    terrain.kind = TerrainKind::AsciiGrid;
+    terrain.file = "a.asc";
+    const auto refusal = [&](const Raster& raster) {
+        imports.rasters["a.asc"] = raster;
+        return toString(makeTerrain(terrain, {}, 3.5, imports).problems());
+    };
+    EXPECT_EQ(refusal({2, 2, {0.0, 1.0, 2.0, 3.0}, -9000.0, 9000.0, 1.0}), "");
+    for (const Raster& raster : {Raster{2, 2, {0.0, 1.0, 2.0, 3.0}, 1e300, 0.0, 1.0},
+                                 Raster{2, 2, {0.0, 1.0, 2.0, 3.0}, 0.0, 0.0, 20'000.0},
+                                 Raster{2, 2, {0.0, 1.0, 2.0, 1e308}, 0.0, 0.0, 1.0}}) {
+        EXPECT_THAT(refusal(raster), testing::HasSubstr("m away"));
+    }
+    EXPECT_THAT(refusal({2, 2, {0.0, 1.0, 2.0, 3.0}, 0.0, 0.0, 1e-300}),
+                testing::HasSubstr("1e-300 m apart"));
+    imports.rasters["a.asc"] = {2, 2, {0.0, 1.0, 2.0, 3.0}, 0.0, 0.0, 1.0};
+    const auto ground = makeTerrain(terrain, {}, 3.5, imports);
+    ASSERT_TRUE(ground);
+    EXPECT_TRUE(std::isnan(ground->heightAt(-1e300, 1e300)));
+    EXPECT_TRUE(std::isnan(ground->heightAt(std::nan(""), 0.0)));
+}
