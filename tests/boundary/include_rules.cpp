@@ -31,6 +31,7 @@ const std::vector<Rule>& rules() {
          {"render/", "widgets/viewport/"}},
         {"ODE", std::regex(R"(ode/.*)"), {"simcore/dynamics/"}},
         {"nlohmann-json", std::regex(R"(nlohmann/.*)"), {"simcore/io/", "app/roversim/"}},
+        {"SDL", std::regex(R"(SDL.*)"), {"widgets/session/"}},
         {"assimp", std::regex(R"(assimp/.*)"), {"simcore/io/"}},
         {"libpng", std::regex(R"(png\.h)"), {"simcore/io/"}},
         {"muParser", std::regex(R"(muParser\w*\.h)"), {"simcore/project/"}},

@@ -214,6 +214,46 @@ TEST_F(RunningTest, ManualKeysDriveOnlyAManualRun) {
     EXPECT_TRUE(waitUntil([&] { return session().shown()->speed < 0.02; }));
 }
 
+// Shift drives slowly; the run panel says what is asked, and how to drive when nothing is.
+TEST_F(RunningTest, ShiftDrivesSlowlyAndTheBarSaysSo) {
+    window->runBar().setScenario("flat");
+    auto* controller = find<QComboBox>("controller");
+    controller->setFocus();
+    QTest::keyClick(controller, Qt::Key_End);
+    session().setSpeedFactor(0.0);
+    press(Qt::Key_Space);
+    ASSERT_EQ(session().state(), State::Playing);
+    window->viewport()->setFocus();
+    const auto status = [&] { return find<QLabel>("runStatus")->text().toStdString(); };
+    EXPECT_THAT(status(), testing::HasSubstr("W A S D"));
+    QTest::keyPress(window->viewport(), Qt::Key_Shift);
+    QTest::keyPress(window->viewport(), Qt::Key_W, Qt::ShiftModifier);
+    EXPECT_THAT(status(), testing::HasSubstr("ahead 0.0333 m/s"));
+    const double wanted = session().settings().speed / 3.0;
+    EXPECT_TRUE(waitUntil([&] { return std::abs(session().shown()->speed - wanted) < 0.003; }));
+    QTest::keyRelease(window->viewport(), Qt::Key_Shift);
+    QTest::keyPress(window->viewport(), Qt::Key_D);
+    EXPECT_THAT(status(), testing::HasSubstr("ahead 0.1 m/s, right"));
+    QTest::keyRelease(window->viewport(), Qt::Key_W);
+    QTest::keyRelease(window->viewport(), Qt::Key_D);
+    EXPECT_THAT(status(), testing::HasSubstr("W A S D"));
+}
+
+// A steered rover has more bodies and joints in a run than in the design: a click on what is shown
+// leads to its own part.
+TEST_F(RunningTest, SteeredRoverIsPickedByWhatIsShown) {
+    ASSERT_TRUE(window->document().open(testsupport::projectFile("rocker_bogie_steered")).empty());
+    window->runBar().setScenario("circle");
+    ASSERT_TRUE(driveFor(0.2));
+    const auto& mechanism = session().settings().mechanism;
+    EXPECT_NE(mechanism.joints.size(), window->document().derived().mechanism->joints.size());
+    for (const char* name : {"left_rear_steering", "left_middle_axle"}) {
+        emit window->viewport()->jointPicked(mechanism.findJoint(name));
+        const auto shown = find<QLineEdit>("property:name")->text().toStdString();
+        EXPECT_EQ(shown, "{side}" + std::string(name).substr(4));
+    }
+}
+
 TEST_F(RunningTest, ProblemsStopARunBeforeItStarts) {
     auto next = window->document().project();
     for (auto& scenario : next.scenarios) {

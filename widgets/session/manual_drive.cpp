@@ -9,9 +9,16 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTextEdit>
+#include <cmath>
+#include <utility>
 
 namespace widgets {
 namespace {
+
+/// Of full speed and turn, while Shift or a shoulder button is held (assumed).
+constexpr double kSlow = 1.0 / 3.0;
+/// A gamepad is looked at this often.
+constexpr int kPoll_ms = 20;
 
 enum Direction { kForward = 1, kBackward, kLeft, kRight };
 
@@ -48,13 +55,24 @@ bool keepsItsKeys(const QWidget* widget) {
 
 }  // namespace
 
-ManualDrive::ManualDrive(RunSession* session, QWidget* window)
+ManualDrive::ManualDrive(RunSession* session, QWidget* window, std::unique_ptr<Gamepad> gamepad)
     : QObject(window),
       session_(session),
-      window_(window) {
+      window_(window),
+      gamepad_(std::move(gamepad)) {
     qApp->installEventFilter(this);
-    connect(session, &RunSession::stateChanged, this, &ManualDrive::release);
-    connect(session, &RunSession::runChanged, this, &ManualDrive::release);
+    poll_.setInterval(kPoll_ms);
+    connect(&poll_, &QTimer::timeout, this, &ManualDrive::pollGamepad);
+    const auto restart = [this] {
+        release();
+        if (active()) {
+            poll_.start();
+        } else {
+            poll_.stop();
+        }
+    };
+    connect(session, &RunSession::stateChanged, this, restart);
+    connect(session, &RunSession::runChanged, this, restart);
 }
 
 bool ManualDrive::active() const {
@@ -81,6 +99,11 @@ bool ManualDrive::eventFilter(QObject* watched, QEvent* event) {
         return false;
     }
     const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Shift && event->type() != QEvent::ShortcutOverride) {
+        shift_ = event->type() == QEvent::KeyPress;
+        send();
+        return false;  // it may mean more to others
+    }
     const int direction = directionOf(*key);
     if (direction == 0) {
         return false;
@@ -96,25 +119,42 @@ bool ManualDrive::eventFilter(QObject* watched, QEvent* event) {
     return true;
 }
 
-void ManualDrive::release() {
-    if (!pressed_.empty()) {
-        pressed_.clear();
-        send();
-    }
+void ManualDrive::pollGamepad() {
+    pad_ = gamepad_->read().value_or(DriveInput());
+    send();
 }
 
-void ManualDrive::send() {
-    if (!session_->hasRun()) {
-        return;
-    }
+void ManualDrive::release() {
+    pressed_.clear();
+    shift_ = false;
+    pad_ = {};
+    send();
+}
+
+/// Of keys and gamepad, whichever asks for more.
+DriveInput ManualDrive::input() const {
     const auto level = [this](int plus, int minus) {
         return static_cast<double>(pressed_.count(plus)) -
                static_cast<double>(pressed_.count(minus));
     };
+    const auto larger = [](double a, double b) { return std::abs(a) >= std::abs(b) ? a : b; };
+    return {larger(level(kForward, kBackward), pad_.ahead), larger(level(kLeft, kRight), pad_.left),
+            shift_ || pad_.slow};
+}
+
+void ManualDrive::send() {
+    const DriveInput asked = input();
+    if (!session_->hasRun() || asked == sent_) {
+        return;
+    }
+    sent_ = asked;
     const auto& run = session_->settings();
+    const double share = asked.slow ? kSlow : 1.0;
     const double turnRate = run.speed / (0.5 * run.mechanism.wheelbase());
-    session_->setManualCommand(
-        {.speed = level(kForward, kBackward) * run.speed, .turn = level(kLeft, kRight) * turnRate});
+    const simcore::run::ManualCommand command{.speed = share * asked.ahead * run.speed,
+                                              .turn = share * asked.left * turnRate};
+    session_->setManualCommand(command);
+    emit commandChanged(command);
 }
 
 }  // namespace widgets

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "simcore/project/names.h"
 #include "widgets/session/run_icons.h"
@@ -320,6 +321,24 @@ void RunBar::showStatus(const QString& text) {
     status_->setToolTip(text);
 }
 
+void RunBar::showCommand(const simcore::run::ManualCommand& command) {
+    if (session_->state() != RunSession::State::Playing ||
+        command == simcore::run::ManualCommand{}) {
+        updateStatus();
+        return;
+    }
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    const auto part = [](double value, const QString& plus, const QString& minus) {
+        return value == 0.0 ? QString()
+                            : (value > 0.0 ? plus : minus).arg(std::abs(value), 0, 'g', 3);
+    };
+    QStringList asked{
+        part(command.speed, tr("ahead %1 m/s"), tr("back %1 m/s")),
+        part(command.turn * kDegrees, tr("left %1 \u00b0/s"), tr("right %1 \u00b0/s"))};
+    asked.removeAll(QString());
+    showStatus(tr("Driving: %1").arg(asked.join(", ")));
+}
+
 void RunBar::updateActions() {
     const RunSession::State state = session_->state();
     const bool playing = state == RunSession::State::Playing;
@@ -345,7 +364,7 @@ void RunBar::updateStatus() {
             break;
         case RunSession::State::Playing:
             showStatus(session_->settings().controller == ControllerKind::Manual
-                           ? tr("Drive with W A S D or the arrow keys")
+                           ? tr("Drive with W A S D, arrow keys or gamepad")
                            : tr("Running"));
             break;
         case RunSession::State::Paused:

@@ -43,6 +43,8 @@ class RunBar : public QWidget {
     void changeSpeed(int direction);
     /// A line about the run, until the next state: why it cannot start, that keys drive, ...
     void showStatus(const QString& text);
+    /// What a person driving asks for now; nothing asked shows how to drive.
+    void showCommand(const simcore::run::ManualCommand& command);
 
   signals:
     /// The user chose another scenario, controller or friction.

@@ -61,7 +61,7 @@ void showShortcuts(const ActionRegistry& actions, QWidget* parent) {
     mouse(ActionRegistry::tr("Select a joint or body"), ActionRegistry::tr("click"));
     mouse(ActionRegistry::tr("Look at a point"), ActionRegistry::tr("double click"));
     mouse(ActionRegistry::tr("Drive a rover by hand"),
-          ActionRegistry::tr("W A S D or the arrow keys, manual controller"));
+          ActionRegistry::tr("W A S D, the arrow keys or a gamepad; Shift: slowly"));
     mouse(ActionRegistry::tr("Step a number"),
           ActionRegistry::tr("Up and Down in its field, Shift for ten"));
     list->header()->setSectionResizeMode(0, QHeaderView::Stretch);

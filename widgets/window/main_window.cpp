@@ -47,6 +47,14 @@ namespace {
 constexpr int kMessageTime_ms = 8000;
 constexpr int kLayoutVersion = 1;
 
+/// Name of an element of a mechanism; empty when there is none.
+template <class Element>
+std::string nameAt(const std::vector<Element>& elements, int index) {
+    return index >= 0 && index < static_cast<int>(elements.size())
+               ? elements[static_cast<std::size_t>(index)].name
+               : std::string();
+}
+
 /// What is drawn at first: enough to understand the rover, not all at once.
 render::Overlays firstOverlays() {
     render::Overlays overlays;
@@ -78,6 +86,7 @@ MainWindow::MainWindow()
     makeToolBar();
     makeStatusBar();
     drive_ = new ManualDrive(session_, this);
+    connect(drive_, &ManualDrive::commandChanged, runBar_, &RunBar::showCommand);
     connectParts();
     onProjectChanged();
     updateTitle();
@@ -228,18 +237,25 @@ void MainWindow::connectParts() {
     connect(properties_, &PropertyPanel::refused, this, &MainWindow::tell);
     connect(problems_, &ProblemsPanel::elementChosen, this, &MainWindow::selectElement);
     connect(problems_, &ProblemsPanel::countChanged, this, &MainWindow::updateStatus);
-    connect(mobility_, &MobilityPanel::jointChosen, this, &MainWindow::selectJoint);
+    connect(mobility_, &MobilityPanel::jointChosen, this, [this](int joint) {
+        const auto& mechanism = document_->derived().mechanism;
+        selectJoint(mechanism ? nameAt(mechanism->joints, joint) : std::string());
+    });
     connect(mobility_, &MobilityPanel::wheelChosen, this, [this](int wheel) {
         const auto& mechanism = document_->derived().mechanism;
         if (mechanism) {
-            selectBody(mechanism->wheels.at(static_cast<std::size_t>(wheel)).body);
+            selectBody(nameAt(mechanism->bodies,
+                              mechanism->wheels.at(static_cast<std::size_t>(wheel)).body));
         }
     });
     connect(mobility_, &MobilityPanel::modelChanged, this, [this] {
         link_->setModel(mobility_->model());
         updateStatus();
     });
-    connect(mass_, &MassPanel::bodyChosen, this, &MainWindow::selectBody);
+    connect(mass_, &MassPanel::bodyChosen, this, [this](int body) {
+        const auto& mechanism = document_->derived().mechanism;
+        selectBody(mechanism ? nameAt(mechanism->bodies, body) : std::string());
+    });
     connect(link_, &SceneLink::problems, problems_, &ProblemsPanel::showMore);
     connect(plots_, &PlotPanel::written, this,
             [this](const QString& file) { tell(tr("Written: %1").arg(file)); });
@@ -265,8 +281,10 @@ void MainWindow::connectParts() {
                  .arg(1e3 * report.loopErrorMax, 0, 'f', 4));
     });
     if (viewport_ != nullptr) {
-        connect(viewport_, &Viewport::jointPicked, this, &MainWindow::selectJoint);
-        connect(viewport_, &Viewport::bodyPicked, this, &MainWindow::selectBody);
+        connect(viewport_, &Viewport::jointPicked, this,
+                [this](int joint) { selectJoint(nameAt(link_->mechanism().joints, joint)); });
+        connect(viewport_, &Viewport::bodyPicked, this,
+                [this](int body) { selectBody(nameAt(link_->mechanism().bodies, body)); });
         viewport_->setFollow(true);
     }
 }
@@ -332,55 +350,55 @@ void MainWindow::selectElement(ElementRef element) {
         return;
     }
     editors_->setCurrentWidget(properties_);
-    const auto& mechanism = document_->derived().mechanism;
-    if (!mechanism) {
-        return;
-    }
     // A mirrored element stands for both; its left one is shown.
+    const simcore::mechanism::Mechanism& shown = link_->mechanism();
     const std::string& name = nameOf(document_->project(), element);
-    const auto find = [&](auto finder) {
-        const int center = finder(name);
-        return center >= 0 ? center : finder(nameOnSide(name, simcore::project::Side::Left));
+    const auto copyOf = [&](auto finder) {
+        return finder(name) >= 0 ? name : nameOnSide(name, simcore::project::Side::Left);
     };
     if (element.kind == ElementKind::Joint) {
-        const int joint = find([&](const std::string& n) { return mechanism->findJoint(n); });
+        const std::string joint = copyOf([&](const std::string& n) { return shown.findJoint(n); });
         link_->highlightJoint(joint);
-        mobility_->selectJoint(joint);
+        selectInMobility(joint);
     } else if (element.kind == ElementKind::Body) {
-        link_->highlightBody(find([&](const std::string& n) { return mechanism->findBody(n); }));
+        link_->highlightBody(copyOf([&](const std::string& n) { return shown.findBody(n); }));
     } else if (element.kind == ElementKind::Wheel) {
-        const int wheel = find([&](const std::string& n) { return mechanism->findWheel(n); });
-        link_->highlightBody(wheel < 0 ? -1
-                                       : mechanism->wheels[static_cast<std::size_t>(wheel)].body);
+        const int wheel =
+            shown.findWheel(copyOf([&](const std::string& n) { return shown.findWheel(n); }));
+        link_->highlightBody(
+            wheel < 0 ? std::string()
+                      : nameAt(shown.bodies, shown.wheels[static_cast<std::size_t>(wheel)].body));
     } else {
-        link_->highlightJoint(-1);
+        link_->highlightJoint({});
     }
 }
 
-void MainWindow::selectJoint(int joint) {
+void MainWindow::selectInMobility(const std::string& joint) {
     const auto& mechanism = document_->derived().mechanism;
+    mobility_->selectJoint(mechanism ? mechanism->findJoint(joint) : -1);
+}
+
+void MainWindow::selectJoint(const std::string& joint) {
     link_->highlightJoint(joint);
-    if (!mechanism || joint < 0 || joint >= static_cast<int>(mechanism->joints.size())) {
+    if (joint.empty()) {
         return;
     }
-    const ElementRef element = simcore::project::findElement(
-        document_->project(), "joint " + mechanism->joints[static_cast<std::size_t>(joint)].name);
+    const ElementRef element =
+        simcore::project::findElement(document_->project(), "joint " + joint);
     tree_->select(element);
     properties_->setElement(element);
     editors_->setCurrentWidget(properties_);
-    mobility_->selectJoint(joint);
+    selectInMobility(joint);
 }
 
-void MainWindow::selectBody(int body) {
-    const auto& mechanism = document_->derived().mechanism;
+void MainWindow::selectBody(const std::string& body) {
     link_->highlightBody(body);
     mobility_->selectJoint(-1);
-    if (!mechanism || body < 0 || body >= static_cast<int>(mechanism->bodies.size())) {
+    if (body.empty()) {
         tree_->select({});
         return;
     }
-    const ElementRef element = simcore::project::findElement(
-        document_->project(), "body " + mechanism->bodies[static_cast<std::size_t>(body)].name);
+    const ElementRef element = simcore::project::findElement(document_->project(), "body " + body);
     tree_->select(element);
     properties_->setElement(element);
     editors_->setCurrentWidget(properties_);

@@ -88,8 +88,10 @@ class MainWindow : public QMainWindow {
     void updateIcons();
     void updateRecent();
     void selectElement(simcore::project::ElementRef element);
-    void selectJoint(int joint);
-    void selectBody(int body);
+    /// Names are those of joints and parts; "" = none.
+    void selectJoint(const std::string& joint);
+    void selectBody(const std::string& body);
+    void selectInMobility(const std::string& joint);
     void setOverlay(bool render::Overlays::*overlay, bool on);
     bool prepareRun();
     void stepForward();

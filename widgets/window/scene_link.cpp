@@ -149,19 +149,15 @@ void SceneLink::setOverlays(const render::Overlays& overlays) {
     redraw();
 }
 
-void SceneLink::highlightJoint(int joint) {
-    const bool known = joint >= 0 && joint < static_cast<int>(mechanism_.joints.size());
-    highlightedJoint_ =
-        known ? mechanism_.joints[static_cast<std::size_t>(joint)].name : std::string();
+void SceneLink::highlightJoint(const std::string& joint) {
+    highlightedJoint_ = joint;
     highlightedBody_.clear();
     showHighlight();
     redraw();
 }
 
-void SceneLink::highlightBody(int body) {
-    const bool known = body >= 0 && body < static_cast<int>(mechanism_.bodies.size());
-    highlightedBody_ =
-        known ? mechanism_.bodies[static_cast<std::size_t>(body)].name : std::string();
+void SceneLink::highlightBody(const std::string& body) {
+    highlightedBody_ = body;
     highlightedJoint_.clear();
     showHighlight();
     redraw();

@@ -24,8 +24,12 @@ class SceneLink : public QObject {
     /// Model whose freedoms are written at the joints.
     void setModel(simcore::mobility::Model model);
     void setOverlays(const render::Overlays& overlays);
-    void highlightJoint(int joint);
-    void highlightBody(int body);
+    /// By name, as a run may have more joints and bodies than the design: "" = none.
+    void highlightJoint(const std::string& joint);
+    void highlightBody(const std::string& body);
+
+    /// What is on show.
+    const simcore::mechanism::Mechanism& mechanism() const { return mechanism_; }
 
     bool showsRun() const { return showsRun_; }
 
