@@ -247,7 +247,7 @@ TEST(ProjectFileFuzzTest, SpoiltFilesGiveProblemsOrAProject) {
     for (const std::string& name : shippedNames()) {
         const std::string good = contentOf(shippedFile(name));
         Mutator mutator(20260101);
-        for (int i = 0; i < 500; ++i) {
+        for (int i = 0; i < 100; ++i) {
             const std::string text = mutator.mutate(good);
             const auto project = parseProject(text, name);
             if (!project) {
@@ -272,6 +272,6 @@ TEST(ProjectFileFuzzTest, SpoiltFilesGiveProblemsOrAProject) {
             ASSERT_TRUE(*again == *project) << name << ", mutation " << i;
         }
     }
-    EXPECT_GT(projects, 200);
+    EXPECT_GT(projects, 40);
     EXPECT_GT(refused, 200);
 }

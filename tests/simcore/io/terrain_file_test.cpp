@@ -102,21 +102,19 @@ TEST(PngTest, SixteenBitsRoundTrip) {
 // Whatever the bytes, the readers return.
 TEST(BrokenFilesTest, NoBytesHarmTheReaders) {
     Random random(23);
-    const std::string png = formatPng(4, 4, std::vector<std::uint16_t>(16, 500));
-    const std::string asc = "ncols 2 nrows 2 cellsize 1 1 2 3 4";
-    const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    for (int i = 0; i < 200; ++i) {
-        for (const std::string& good : {png, asc, obj}) {
-            std::string bad = good;
-            for (int n = 0; n < 3; ++n) {
-                bad[random.next() % bad.size()] = static_cast<char>(random.next());
-            }
-            (void)readPng(bytesOf(bad), "x");
-            (void)grid(bad);
-            if (i < 20) {
-                (void)readMesh(bytesOf(bad), "obj", "x");
-            }
+    const auto spoilt = [&random](std::string text) {
+        for (int n = 0; n < 3; ++n) {
+            text[random.next() % text.size()] = static_cast<char>(random.next());
         }
+        return text;
+    };
+    for (int i = 0; i < 200; ++i) {
+        const std::string png = formatPng(4, 4, std::vector<std::uint16_t>(16, 500));
+        (void)readPng(bytesOf(spoilt(png)), "x");
+        (void)grid(spoilt("ncols 2 nrows 2 cellsize 1 1 2 3 4"));
+    }
+    for (int i = 0; i < 20; ++i) {
+        (void)readMesh(bytesOf(spoilt("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")), "obj", "x");
     }
 }
 

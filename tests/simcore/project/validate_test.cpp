@@ -316,8 +316,8 @@ TEST(ValidateTest, AllProblemsAtOnce) {
 
 // Whichever number is not a number, somebody must notice before an engine does.
 TEST(ValidateTest, EveryNumberOfTheRoverIsCheckedToBeFinite) {
-    // The Shrimp has the SOLERO's elements.
-    for (const char* name : {"solero", "rocker_bogie", "bench_rover"}) {
+    // Between them they have every kind of element.
+    for (const char* name : {"solero", "rocker_bogie"}) {
         const Project good = shipped(name);
         Project copy = good;
         int count = 0;
