@@ -63,7 +63,7 @@ struct BodyVelocity {
 struct EngineCounters {
     long steps = 0;
     long passes = 0;          ///< solves, >= steps
-    long solverMessages = 0;  ///< complaints of the solver
+    long solverMessages = 0;  ///< solves that failed, after all that the engine does about it
 };
 
 /// A mechanism in motion. Not thread safe: made, stepped and destroyed by one thread.
