@@ -99,6 +99,10 @@ using EngineMaker =
 double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
                  const std::vector<BodyVelocity>& velocities);
 
+/// Rate of a wheel against its carrier, about its axis in the world [rad/s], + forward.
+double wheelRate(const mechanism::Wheel& wheel, const std::vector<Pose>& poses,
+                 const std::vector<BodyVelocity>& velocities);
+
 /// Largest gap between the two bodies of any joint, along the directions it holds [m].
 double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses,
                  mechanism::Model model = mechanism::Model::Built);
