@@ -238,18 +238,19 @@ TEST_P(SameGroundTest, PlaneIsFeltAsAPlane) {
         for (std::size_t i = 0; i < plane.steps.size(); ++i) {
             const Felt& felt = triangles.steps[i];
             const Felt& expected = plane.steps[i];
-            // Friction is iterated to 5 %, and loads depend on it through the height of the centre
-            // of mass: half a per cent. (On level ground there is none, and no difference.)
-            ASSERT_NEAR(felt.front, expected.front, 0.01 * plane.weight) << "step " << i;
-            ASSERT_NEAR(felt.rear, expected.rear, 0.01 * plane.weight) << "step " << i;
-            ASSERT_NEAR(felt.speed, expected.speed, 0.01 * speed) << "step " << i;
-            // Both within the depth to which wheels settle.
-            ASSERT_LT((felt.chassis - expected.chassis).norm(), 2e-4) << "step " << i;
+            // Rounding decides which way friction is iterated, to 5 %, when the brakes are released
+            // on the rise: a few hundredths of a per mille of the loads stay of that.
+            ASSERT_NEAR(felt.front, expected.front, 1e-3 * plane.weight) << "step " << i;
+            ASSERT_NEAR(felt.rear, expected.rear, 1e-3 * plane.weight) << "step " << i;
+            ASSERT_NEAR(felt.speed, expected.speed, 1e-3 * speed) << "step " << i;
+            // As deep as wheels settle.
+            ASSERT_LT((felt.chassis - expected.chassis).norm(), 5e-5) << "step " << i;
         }
         EXPECT_LT(triangles.penetration, 1e-4);
         EXPECT_EQ(triangles.solverMessages, 0);
         EXPECT_NEAR(plane.steps.back().front + plane.steps.back().rear,
                     plane.weight * std::cos(slope), 0.01 * plane.weight);
+        EXPECT_NEAR(plane.steps.back().speed, speed, 0.05 * speed);
     }
 }
 
@@ -320,7 +321,7 @@ TEST_P(SameGroundTest, BumpIsFeltAsItsCurve) {
         ASSERT_GT(felt.speed, 0.0) << "caught on an edge";
     }
     EXPECT_GT(highest, speed < 0.1 ? 0.0015 : 0.019) << "it hardly drove";
-    EXPECT_LT(found.penetration, 3e-4);
+    EXPECT_LT(found.penetration, 5e-4);  // the depth that the engine does not push out
     EXPECT_EQ(found.solverMessages, 0);
 
     std::vector<Eigen::Vector2d> pieces;
