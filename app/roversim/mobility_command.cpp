@@ -78,9 +78,9 @@ void printLoops(const std::vector<mobility::Loop>& loops) {
     }
 }
 
-void printReactions(const std::vector<mobility::JointReaction>& reactions) {
+void printReactions(const std::vector<mobility::ReactionDeterminacy>& reactions) {
     fmt::print("  Reactions determined by the loads:\n");
-    for (const mobility::JointReaction& reaction : reactions) {
+    for (const mobility::ReactionDeterminacy& reaction : reactions) {
         fmt::print("    {:<28} {} of {}\n", reaction.element, reaction.determined.size(),
                    reaction.components);
     }

@@ -2,14 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <osg/Geode>
-#include <tuple>
 
 #include "render/geometry/mesh_builder.h"
+#include "simcore/terrain/mesh_edges.h"
 
 namespace render {
 
@@ -25,21 +23,14 @@ const Material kSoil{osg::Vec4ub(160, 118, 83, 255), 1.0F, 0.0F};
 // long to find, and its triangles are small.
 constexpr std::size_t kMostCreased = 400'000;
 
-/// Vertices at the same place count as one.
+/// Numbers of the vertices, the same for those at the same place.
 std::vector<int> weld(const std::vector<Vec3>& vertices) {
     if (vertices.size() > kMostCreased) {
         std::vector<int> same(vertices.size());
         std::iota(same.begin(), same.end(), 0);
         return same;
     }
-    std::map<std::tuple<long, long, long>, int> first;
-    std::vector<int> welded;
-    for (const Vec3& p : vertices) {
-        const auto key = std::tuple(std::lround(p.x() * 1e6), std::lround(p.y() * 1e6),
-                                    std::lround(p.z() * 1e6));
-        welded.push_back(first.emplace(key, static_cast<int>(first.size())).first->second);
-    }
-    return welded;
+    return simcore::terrain::weldVertices(vertices);
 }
 
 /// Vertices, normals and corners of the ground.
@@ -133,45 +124,21 @@ osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh) {
 
 /// Walls from the mesh's border to z = 0, where the surrounding lies.
 void addBorder(MeshBuilder& builder, const TriangleMesh& mesh) {
-    const std::vector<int> welded = weld(mesh.vertices);
-
-    // Each edge of each triangle, as it runs there; those of one triangle alone are the border.
-    struct Edge {
-        int low, high;
-        std::array<int, 2> ends;
-    };
-
-    std::vector<Edge> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (const auto& triangle : mesh.triangles) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::array<int, 2> ends{triangle[i], triangle[(i + 1) % 3]};
-            const int a = welded[static_cast<std::size_t>(ends[0])];
-            const int b = welded[static_cast<std::size_t>(ends[1])];
-            edges.push_back({std::min(a, b), std::max(a, b), ends});
+    const auto edges = simcore::terrain::sortedEdges(mesh, weld(mesh.vertices));
+    simcore::terrain::forEachEdge(edges, [&](std::span<const simcore::terrain::MeshEdge> same) {
+        if (same.size() > 1) {
+            return;  // not on the border
         }
-    }
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-        return std::pair(a.low, a.high) < std::pair(b.low, b.high);
-    });
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        const auto sameAs = [&](std::size_t k) {
-            return k < edges.size() && edges[k].low == edges[i].low &&
-                   edges[k].high == edges[i].high;
-        };
-        if (sameAs(i + 1) || (i > 0 && sameAs(i - 1))) {
-            continue;
-        }
-        const Vec3& a = mesh.vertices[static_cast<std::size_t>(edges[i].ends[0])];
-        const Vec3& b = mesh.vertices[static_cast<std::size_t>(edges[i].ends[1])];
+        const Vec3& a = mesh.vertices[static_cast<std::size_t>(same[0].ends[0])];
+        const Vec3& b = mesh.vertices[static_cast<std::size_t>(same[0].ends[1])];
         const Vec3 outward = (b - a).cross(Vec3::UnitZ());
         if (outward.norm() < 1e-9 || std::max(std::abs(a.z()), std::abs(b.z())) < 1e-6) {
-            continue;
+            return;
         }
         const double sign = a.z() + b.z() >= 0.0 ? 1.0 : -1.0;  // a pit's wall looks inwards
         builder.quad({a, b, Vec3(b.x(), b.y(), 0.0), Vec3(a.x(), a.y(), 0.0)},
                      Vec3(sign * outward.normalized()));
-    }
+    });
 }
 
 /// The plane z = 0 around the box [xMin, xMax] x [yMin, yMax].

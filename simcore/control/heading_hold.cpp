@@ -7,8 +7,8 @@ namespace simcore::control {
 namespace {
 
 // A rover that turns as asked then has both poles at -1/s: slow against the delays of wheels,
-// servos and sensors (assumed). One whose wheels slip, so that only the share s of a turn comes
-// about, has a damping ratio of sqrt(s).
+// servos and sensors (assumed). One of whose turns only the share s comes about has a damping ratio
+// of sqrt(s).
 constexpr double kProportional = 2.0;  // [1/s]
 constexpr double kIntegral = 1.0;      // [1/s^2]
 
@@ -29,8 +29,12 @@ double HeadingHold::turn(const Imu& imu, double speed, double asked) {
         return 0.0;
     }
     const double error = reference_ - heading_;
-    // Anti-windup: the integral alone never asks for more than may be asked for.
-    integral_ = std::clamp(integral_ + kIntegral * error * period_, -most, most);
+    // Wheels that have to slip for a turn do not begin before it is large enough. An integral would
+    // grow until they do, and swing the rover from side to side.
+    if (by_ == TurnedBy::Steering) {
+        // Anti-windup: the integral alone never asks for more than may be asked for.
+        integral_ = std::clamp(integral_ + kIntegral * error * period_, -most, most);
+    }
     return std::clamp(kProportional * error + integral_, -most, most);
 }
 

@@ -4,14 +4,20 @@
 
 namespace simcore::control {
 
-/// Keeps the heading while no turn is asked: a PI loop on the heading, which is the sum of the
-/// inertial unit's yaw rate. It knows the heading only against that at its start, and drifts with
-/// the bias of that sensor.
+/// What makes a rover turn.
+enum class TurnedBy { Steering, WheelSpeeds };
+
+/// Keeps the heading while no turn is asked: a loop on the heading, which is the sum of the
+/// inertial unit's yaw rate; PI by steering, P by wheel speeds. It knows the heading only against
+/// that at its start, and drifts with the bias of that sensor.
 class HeadingHold {
   public:
     /// @param period  between calls [s]
     /// @param wheelbase  the loop asks for no tighter circle than of this radius [m]
-    HeadingHold(double period, double wheelbase) : period_(period), wheelbase_(wheelbase) {}
+    HeadingHold(double period, double wheelbase, TurnedBy by)
+        : period_(period),
+          wheelbase_(wheelbase),
+          by_(by) {}
 
     void reset() { heading_ = reference_ = integral_ = 0.0; }
 
@@ -21,6 +27,7 @@ class HeadingHold {
   private:
     double period_;
     double wheelbase_;
+    TurnedBy by_;
     double heading_ = 0.0;    ///< [rad]
     double reference_ = 0.0;  ///< [rad]
     double integral_ = 0.0;   ///< [rad/s]

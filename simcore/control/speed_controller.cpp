@@ -21,7 +21,7 @@ class SpeedController final : public Controller {
         : wheels_(mechanism.wheels),
           settings_(settings),
           plans_(wheelPlans(mechanism)),
-          heading_(settings.period, mechanism.wheelbase()),
+          heading_(settings.period, mechanism.wheelbase(), turnedBy()),
           motions_(wheels_.size()) {
         const std::vector<int> encoders = mechanism.encoderJoints();
         for (const WheelPlan& plan : plans_) {
@@ -70,6 +70,16 @@ class SpeedController final : public Controller {
         double speed = 0.0;  ///< of the rim [m/s]
     };
 
+    bool steers(const WheelPlan& plan) const {
+        return plan.steering >= 0 && settings_.steering != project::SteeringMode::Skid;
+    }
+
+    TurnedBy turnedBy() const {
+        const bool steering = std::any_of(plans_.begin(), plans_.end(),
+                                          [this](const WheelPlan& plan) { return steers(plan); });
+        return steering ? TurnedBy::Steering : TurnedBy::WheelSpeeds;
+    }
+
     /// Steering angle now [rad].
     double steered(const Sensors& sensors, std::size_t wheel) const {
         return plans_[wheel].jointSign *
@@ -83,7 +93,7 @@ class SpeedController final : public Controller {
         const Twist twist = rollingTwist(plans_, speed, turn);
         double drive = 1.0;
         for (std::size_t i = 0; i < plans_.size(); ++i) {
-            if (plans_[i].steering < 0 || settings_.steering == project::SteeringMode::Skid) {
+            if (!steers(plans_[i])) {
                 continue;
             }
             motions_[i].angle = steeringAngle(plans_[i], twist, motions_[i].angle).angle;

@@ -63,7 +63,7 @@ struct BodyVelocity {
 struct EngineCounters {
     long steps = 0;
     long passes = 0;          ///< solves, >= steps
-    long solverMessages = 0;  ///< complaints of the solver
+    long solverMessages = 0;  ///< solves that failed, after all that the engine does about it
 };
 
 /// A mechanism in motion. Not thread safe: made, stepped and destroyed by one thread.
@@ -97,6 +97,10 @@ using EngineMaker =
 
 /// Rate of mechanism::jointAngle() [rad/s].
 double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
+                 const std::vector<BodyVelocity>& velocities);
+
+/// Rate of a wheel against its carrier, about its axis in the world [rad/s], + forward.
+double wheelRate(const mechanism::Wheel& wheel, const std::vector<Pose>& poses,
                  const std::vector<BodyVelocity>& velocities);
 
 /// Largest gap between the two bodies of any joint, along the directions it holds [m].

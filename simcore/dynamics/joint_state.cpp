@@ -3,6 +3,18 @@
 #include "simcore/dynamics/engine.h"
 
 namespace simcore::dynamics {
+namespace {
+
+/// Length of the part of `v` at right angles to all of `directions`, which may be oblique.
+double lengthAcross(const Vec3& v, const std::vector<Vec3>& directions) {
+    Vec3 across = Vec3::Zero();
+    for (const Vec3& held : mechanism::orthogonalComplement(directions)) {
+        across += v.dot(held) * held;
+    }
+    return across.norm();
+}
+
+}  // namespace
 
 double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
                  const std::vector<BodyVelocity>& velocities) {
@@ -12,19 +24,23 @@ double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
     return axis_W.dot(velocities[second].angular - velocities[first].angular);
 }
 
+double wheelRate(const mechanism::Wheel& wheel, const std::vector<Pose>& poses,
+                 const std::vector<BodyVelocity>& velocities) {
+    const auto body = static_cast<std::size_t>(wheel.body);
+    const Vec3 axis_W = poses[body].rotation * wheel.axis;
+    return axis_W.dot(velocities[body].angular) -
+           axis_W.dot(velocities[static_cast<std::size_t>(wheel.carrier)].angular);
+}
+
 double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses,
                  mechanism::Model model) {
     double largest = 0.0;
     for (const mechanism::Joint& joint : mechanism.joints) {
         const Pose& first = poses[static_cast<std::size_t>(joint.first)];
         const Pose& second = poses[static_cast<std::size_t>(joint.second)];
-        Vec3 gap = first.rotation.conjugate() * (second * joint.point - first * joint.point);
-        for (const mechanism::Freedom& freedom : freedomsOf(joint, model)) {
-            if (freedom.kind == mechanism::FreedomKind::Slide) {
-                gap -= gap.dot(freedom.direction) * freedom.direction;
-            }
-        }
-        largest = std::max(largest, gap.norm());
+        const Vec3 gap = first.rotation.conjugate() * (second * joint.point - first * joint.point);
+        const auto slides = directionsOf(freedomsOf(joint, model), mechanism::FreedomKind::Slide);
+        largest = std::max(largest, slides.empty() ? gap.norm() : lengthAcross(gap, slides));
     }
     return largest;
 }

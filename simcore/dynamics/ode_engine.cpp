@@ -27,6 +27,10 @@ constexpr double kFrictionCompliance = 1e-9;
 constexpr double kContactErrorReduction = 0.2;
 /// Solves per step at most: the friction bounds must agree with the normal forces of this step.
 constexpr int kMaxPasses = 6;
+/// Repetitions of a solve that ODE gave up, and by how much, relatively, they change its friction
+/// limits: far below the 5 % to which limits are iterated, far above rounding (assumed).
+constexpr int kMaxRepetitions = 4;
+constexpr double kRepetitionChange = 1e-5;
 
 class OdeEngine final : public Engine {
   public:
@@ -56,7 +60,8 @@ class OdeEngine final : public Engine {
     void readState();
     void applyForces(const StepInput& input);
     void applySpring(const mechanism::Spring& spring);
-    void makeContacts(const StepInput& input);
+    void solve(const StepInput& input, const OdeSolve& solve);
+    void makeContacts(const StepInput& input, int repetition);
     void readContacts(const StepInput& input);
     void updatePoses();
 
@@ -215,7 +220,7 @@ void OdeEngine::applyForces(const StepInput& input) {
     }
 }
 
-void OdeEngine::makeContacts(const StepInput& input) {
+void OdeEngine::makeContacts(const StepInput& input, int repetition) {
     feedback_.assign(input.contacts.size(), {});
     for (std::size_t i = 0; i < input.contacts.size(); ++i) {
         const contact::Contact& touch = input.contacts[i];
@@ -232,6 +237,9 @@ void OdeEngine::makeContacts(const StepInput& input) {
             c.surface.mu = box.along;
             c.surface.mu2 = box.across;
         }
+        const double change = kRepetitionChange * repetition * static_cast<double>(i + 1);
+        c.surface.mu *= 1.0 + change;
+        c.surface.mu2 *= 1.0 - 0.5 * change;
         toOde(c.geom.pos, touch.point);
         toOde(c.geom.normal, touch.normal);
         toOde(c.fdir1, box.direction);
@@ -257,32 +265,45 @@ void OdeEngine::readContacts(const StepInput& input) {
     }
 }
 
-void OdeEngine::step(const StepInput& input) {
-    const long messagesBefore = odeMessagesOnThisThread();
-    bounds_.begin(input.contacts, input.frictions);
-    const OdeSolve solve{world_.world(), world_.contactGroup(), settings_.step, mechanism_, poses_};
-    for (int pass = 1;; ++pass) {
-        // Every pass, and so every step, starts from the stored state: that makes passes repeatable
-        // and a restored run continue bit for bit.
+/// Fills contactForces_ and contactVelocities_, and leaves ODE's bodies where the step takes them.
+void OdeEngine::solve(const StepInput& input, const OdeSolve& solve) {
+    // ODE's solver lets rows reach their limits one after another, and gives up when two do so at
+    // once: all rows that it has not come to get no force. Limits that are alike, as a rover's are
+    // that is the same left and right, do that now and then. So they are made unlike.
+    for (int repetition = 0; repetition <= kMaxRepetitions; ++repetition) {
+        const long messagesBefore = odeMessagesOnThisThread();
+        // Every solve, and so every step, starts from the stored state: that makes solves
+        // repeatable and a restored run continue bit for bit.
         loadState(state_);
         applyForces(input);
-        makeContacts(input);
+        makeContacts(input, repetition);
         joints_->prepare(solve, input.motors);
         dWorldStep(world_.world(), settings_.step);
         readContacts(input);
         dJointGroupEmpty(world_.contactGroup());
         ++counters_.passes;
+        if (odeMessagesOnThisThread() == messagesBefore) {
+            return;
+        }
+    }
+    ++counters_.solverMessages;
+}
+
+void OdeEngine::step(const StepInput& input) {
+    bounds_.begin(input.contacts, input.frictions);
+    const OdeSolve world{world_.world(), world_.contactGroup(), settings_.step, mechanism_, poses_};
+    for (int pass = 1;; ++pass) {
+        solve(input, world);
         const bool settled = bounds_.update(input.contacts, contactForces_, contactVelocities_);
         if (settled || pass == kMaxPasses) {
             break;
         }
     }
     bounds_.end(input.contacts, contactForces_);
-    joints_->readReactions(solve, jointReactions_);
+    joints_->readReactions(world, jointReactions_);
     readState();
     updatePoses();
     ++counters_.steps;
-    counters_.solverMessages += odeMessagesOnThisThread() - messagesBefore;
 }
 
 std::vector<double> OdeEngine::saveState() const {

@@ -82,9 +82,9 @@ Json toJson(const mobility::MovedPose& moved) {
     return json;
 }
 
-Json toJson(const std::vector<mobility::JointReaction>& reactions) {
+Json toJson(const std::vector<mobility::ReactionDeterminacy>& reactions) {
     Json list = Json::array();
-    for (const mobility::JointReaction& reaction : reactions) {
+    for (const mobility::ReactionDeterminacy& reaction : reactions) {
         Json components = Json::array();
         for (const mobility::ReactionComponent& component : reaction.determined) {
             components.push_back({{"force", toJson(component.force)},

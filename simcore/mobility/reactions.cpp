@@ -21,10 +21,10 @@ ReactionComponent componentOf(const ConstraintJacobian& jacobian, std::size_t be
     return component;
 }
 
-JointReaction reactionOf(const ConstraintJacobian& jacobian, const MatrixXd& selfStress,
-                         std::size_t begin, std::size_t end, double length) {
+ReactionDeterminacy reactionOf(const ConstraintJacobian& jacobian, const MatrixXd& selfStress,
+                               std::size_t begin, std::size_t end, double length) {
     const ConstraintName& name = jacobian.names[begin];
-    JointReaction reaction;
+    ReactionDeterminacy reaction;
     reaction.element = name.element;
     reaction.joint = name.kind == "gear" ? -1 : name.joint;
     reaction.wheel = name.wheel;
@@ -64,15 +64,16 @@ JointReaction reactionOf(const ConstraintJacobian& jacobian, const MatrixXd& sel
 
 }  // namespace
 
-std::vector<JointReaction> determinedReactions(const mechanism::Mechanism& mechanism, Model model) {
+std::vector<ReactionDeterminacy> determinedReactions(const mechanism::Mechanism& mechanism,
+                                                     Model model) {
     return determinedReactions(mechanism, model, drawnStance(mechanism));
 }
 
-std::vector<JointReaction> determinedReactions(const mechanism::Mechanism& mechanism, Model model,
-                                               const Stance& stance) {
+std::vector<ReactionDeterminacy> determinedReactions(const mechanism::Mechanism& mechanism,
+                                                     Model model, const Stance& stance) {
     const ConstraintJacobian jacobian = constraintJacobian(mechanism, model, stance);
     const MatrixXd selfStress = Factorisation(jacobian.matrix).selfStress;
-    std::vector<JointReaction> reactions;
+    std::vector<ReactionDeterminacy> reactions;
     for (std::size_t begin = 0; begin < jacobian.names.size();) {
         std::size_t end = begin;
         const auto same = [&](const ConstraintName& a, const ConstraintName& b) {

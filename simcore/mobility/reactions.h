@@ -20,7 +20,7 @@ enum class Determinacy { All, Some, None };
 
 /// How much of a joint's, contact's or gear's reaction follows from the loads. The rest depends on
 /// how the rover was put together: on play, on stiffness and on errors of manufacture.
-struct JointReaction {
+struct ReactionDeterminacy {
     std::string element;  ///< joint, gear, or "contact <wheel>"
     int joint = -1;       ///< mechanism joint index, -1 for contacts and gears
     int wheel = -1;       ///< wheel index for contacts, else -1
@@ -35,9 +35,10 @@ struct JointReaction {
 /// Per joint, then per touching wheel, then per gear: which components of the reaction are the same
 /// in every equilibrium, i.e. vanish in all self-stress states. A gear's one component is the
 /// torque on its second joint.
-std::vector<JointReaction> determinedReactions(const mechanism::Mechanism& mechanism, Model model,
-                                               const Stance& stance);
+std::vector<ReactionDeterminacy> determinedReactions(const mechanism::Mechanism& mechanism,
+                                                     Model model, const Stance& stance);
 /// At the drawn pose on level ground.
-std::vector<JointReaction> determinedReactions(const mechanism::Mechanism& mechanism, Model model);
+std::vector<ReactionDeterminacy> determinedReactions(const mechanism::Mechanism& mechanism,
+                                                     Model model);
 
 }  // namespace simcore::mobility

@@ -14,7 +14,7 @@ namespace simcore::mobility {
 struct Study {
     Report present;
     MovedPose moved;
-    std::vector<JointReaction> reactions;
+    std::vector<ReactionDeterminacy> reactions;
     std::vector<Loop> loops;
 };
 

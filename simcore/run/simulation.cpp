@@ -190,9 +190,7 @@ void Simulation::Impl::applyDrives() {
         const auto body = static_cast<std::size_t>(wheel.body);
         const Vec3 axis = engine->poses()[body].rotation * wheel.axis;
         const double absolute = axis.dot(engine->velocities()[body].angular);
-        const double relative =
-            absolute -
-            axis.dot(engine->velocities()[static_cast<std::size_t>(wheel.carrier)].angular);
+        const double relative = dynamics::wheelRate(wheel, engine->poses(), engine->velocities());
         torques[i] = drives[i].torque(commands[i], relative, run.step);
         if (commands[i].mode == control::WheelMode::Lock) {
             motors.push_back({wheel.axle, 0.0, commands[i].torqueCap});

@@ -106,7 +106,7 @@ struct RunReport {
     double loopErrorMax = 0.0;          ///< [m]
     double penetrationMax = 0.0;        ///< [m]
     double solvesPerStep = 0.0;         ///< passes until friction agrees with normal forces
-    long solverMessages = 0;            ///< complaints of the engine's solver
+    long solverMessages = 0;            ///< solves of the engine that failed
 };
 
 /// One run, stepped by its owner. Not thread safe: one thread makes, steps and destroys it.

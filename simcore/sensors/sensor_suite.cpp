@@ -25,7 +25,6 @@ SensorSuite::SensorSuite(const mechanism::Mechanism& mechanism, const project::S
                          int seed)
     : mechanism_(mechanism),
       seed_(seed),
-      encoders_(mechanism.encoderJoints()),
       bodySpeed_(line(errors.bodySpeed, "body speed")),
       roll_(line(errors.orientation, "roll")),
       pitch_(line(errors.orientation, "pitch")) {
@@ -33,7 +32,7 @@ SensorSuite::SensorSuite(const mechanism::Mechanism& mechanism, const project::S
         angularRate_.push_back(line(errors.angularRate, std::string("angular rate ") + axis));
         acceleration_.push_back(line(errors.acceleration, std::string("acceleration ") + axis));
     }
-    for (const int joint : encoders_) {
+    for (const int joint : mechanism.encoderJoints()) {
         const std::string& name = mechanism.joints[static_cast<std::size_t>(joint)].name;
         joints_.push_back(line(errors.jointEncoder, "joint encoder " + name));
     }
@@ -87,18 +86,13 @@ control::Sensors SensorSuite::truth(const dynamics::Engine& engine, const run::S
     lastVelocity_ = velocity.linear;
     lastLook_ = now.time;
     truth.imu.acceleration = R_CW * (acceleration + dynamics::kGravity * Vec3::UnitZ());
-    for (const int joint : encoders_) {
-        truth.joints.push_back(mechanism::jointAngle(
-            mechanism_.joints[static_cast<std::size_t>(joint)], engine.poses()));
+    for (const run::JointState& joint : now.joints) {
+        truth.joints.push_back(joint.angle);
     }
     for (std::size_t i = 0; i < mechanism_.wheels.size(); ++i) {
-        const mechanism::Wheel& wheel = mechanism_.wheels[i];
-        const auto body = static_cast<std::size_t>(wheel.body);
-        const Vec3 axis = engine.poses()[body].rotation * wheel.axis;
-        const Vec3 relative = engine.velocities()[body].angular -
-                              engine.velocities()[static_cast<std::size_t>(wheel.carrier)].angular;
         truth.wheels.push_back(
-            {axis.dot(relative), now.wheels[i].normalForce, now.wheels[i].contactAngle});
+            {dynamics::wheelRate(mechanism_.wheels[i], engine.poses(), engine.velocities()),
+             now.wheels[i].normalForce, now.wheels[i].contactAngle});
     }
     return truth;
 }

@@ -19,7 +19,8 @@ class SensorSuite {
                 int seed);
 
     void reset();
-    /// What the sensors say now; to be called at every look, `now` being the present instant.
+    /// What the sensors say now; to be called at every look, `now` being the present instant of
+    /// that engine.
     void read(const dynamics::Engine& engine, const run::Snapshot& now, control::Sensors& readings);
 
   private:
@@ -32,7 +33,6 @@ class SensorSuite {
 
     const mechanism::Mechanism& mechanism_;
     int seed_;
-    std::vector<int> encoders_;
     SensorLine bodySpeed_, roll_, pitch_;
     std::vector<SensorLine> angularRate_, acceleration_;  ///< x, y, z
     std::vector<SensorLine> joints_;

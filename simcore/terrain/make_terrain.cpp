@@ -460,9 +460,12 @@ class TerrainMaker {
         HeightField field;
         field.cell = 1.0;
         double end = travel_;
+        std::vector<Profile> profiles;  // of each part, empty for fields
         for (const Part& part : parts_) {
             field.cell = std::min(field.cell, part.isField() ? part.fieldCell() : field.cell);
-            end = std::max(end, part.isField() ? part.fieldEnd() : profileEnd(part));
+            profiles.push_back(part.isField() ? Profile{} : profileOf(part));
+            end = std::max(end,
+                           part.isField() ? part.fieldEnd() : profiles.back().back().x() - kBeyond);
         }
         field.x0 = begin();
         field.y0 = -kFieldHalfWidth;
@@ -478,18 +481,17 @@ class TerrainMaker {
         field.nx = static_cast<int>(columns);
         field.heights.assign(
             static_cast<std::size_t>(field.nx) * static_cast<std::size_t>(field.ny), 0.0);
-        for (const Part& part : parts_) {
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            const Part& part = parts_[i];
             if (part.isField()) {
                 part.addTo(field, imports);
             } else {
-                addProfile(field, profileOf(part), part.touches(Sides::Left),
+                addProfile(field, profiles[i], part.touches(Sides::Left),
                            part.touches(Sides::Right));
             }
         }
         return Terrain::grid(field.x0, field.y0, field.cell, field.nx, field.ny, field.heights);
     }
-
-    double profileEnd(const Part& part) const { return profileOf(part).back().x() - kBeyond; }
 
     std::string element_;
     double travel_;

@@ -1,51 +1,28 @@
 #include "simcore/terrain/mesh_check.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
 #include "simcore/terrain/imports.h"
+#include "simcore/terrain/mesh_edges.h"
 
 namespace simcore::terrain {
 namespace {
 
-constexpr double kSamePlace = 1e-6;  // [m]
-constexpr double kThin = 1e-9;       // triangles less high than this have no area [m]
+constexpr double kThin = 1e-9;  // triangles less high than this have no area [m]
 
 using Triangle = std::array<int, 3>;
 
-struct PlaceHash {
-    std::size_t operator()(const std::array<long, 3>& place) const {
-        std::uint64_t hash = 1469598103934665603ULL;
-        for (const long n : place) {
-            hash = (hash ^ static_cast<std::uint64_t>(n)) * 0x9E3779B97F4A7C15ULL;
-            hash ^= hash >> 29;
-        }
-        return hash;
-    }
-};
-
-/// An edge and the direction a triangle runs along it.
-struct Edge {
-    int low, high;
-    bool upwards;
-};
-
 TriangleMesh weld(const TriangleMesh& mesh) {
     TriangleMesh welded;
-    std::vector<int> place(mesh.vertices.size());
-    std::unordered_map<std::array<long, 3>, int, PlaceHash> known;
-    known.reserve(mesh.vertices.size());
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        const Vec3 p = mesh.vertices[i] / kSamePlace;
-        const std::array<long, 3> key{std::lround(p.x()), std::lround(p.y()), std::lround(p.z())};
-        const auto [found, fresh] = known.emplace(key, static_cast<int>(welded.vertices.size()));
-        if (fresh) {
+    const std::vector<int> place = weldVertices(mesh.vertices);
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        if (place[i] == static_cast<int>(welded.vertices.size())) {
             welded.vertices.push_back(mesh.vertices[i]);
         }
-        place[i] = found->second;
     }
     welded.triangles.reserve(mesh.triangles.size());
     for (const Triangle& t : mesh.triangles) {
@@ -75,31 +52,17 @@ double areaFromAbove(const TriangleMesh& mesh) {
     return area;
 }
 
-std::vector<Edge> edgesOf(const TriangleMesh& mesh) {
-    std::vector<Edge> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (const Triangle& t : mesh.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int a = t[k];
-            const int b = t[(k + 1) % 3];
-            edges.push_back({std::min(a, b), std::max(a, b), a < b});
-        }
-    }
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
-        return std::pair(a.low, a.high) < std::pair(b.low, b.high);
-    });
-    return edges;
-}
-
 struct EdgeCounts {
     std::size_t crowded = 0;  ///< of more than two triangles
     std::size_t opposed = 0;  ///< between triangles that face opposite sides
     std::size_t rims = 0;     ///< closed lines of edges with one triangle
 };
 
+/// Of a welded mesh.
 EdgeCounts countEdges(const TriangleMesh& mesh) {
     EdgeCounts counts;
-    const std::vector<Edge> edges = edgesOf(mesh);
+    std::vector<int> numbers(mesh.vertices.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
     // Rims: open edges joined at their ends, each with the root of its line.
     std::unordered_map<int, int> parent;
     const auto root = [&parent](int v) {
@@ -110,22 +73,14 @@ EdgeCounts countEdges(const TriangleMesh& mesh) {
         }
         return v;
     };
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t end = i;
-        std::size_t upwards = 0;
-        while (end < edges.size() && edges[end].low == edges[i].low &&
-               edges[end].high == edges[i].high) {
-            upwards += edges[end++].upwards ? 1 : 0;
+    forEachEdge(sortedEdges(mesh, numbers), [&](std::span<const MeshEdge> same) {
+        counts.crowded += same.size() > 2 ? 1 : 0;
+        counts.opposed += same.size() == 2 && same[0].ends == same[1].ends ? 1 : 0;
+        if (same.size() == 1) {
+            const int from = root(same[0].low);
+            parent[from] = root(same[0].high);
         }
-        const std::size_t count = end - i;
-        counts.crowded += count > 2 ? 1 : 0;
-        counts.opposed += count == 2 && upwards != 1 ? 1 : 0;
-        if (count == 1) {
-            const int from = root(edges[i].low);
-            parent[from] = root(edges[i].high);
-        }
-        i = end;
-    }
+    });
     for (const auto& [vertex, above] : parent) {
         counts.rims += vertex == above ? 1 : 0;
     }

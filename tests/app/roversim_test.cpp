@@ -190,13 +190,18 @@ TEST_F(RoversimTest, ShippedProjectsAreValidAndHaveTheScenarios) {
 }
 
 TEST_F(RoversimTest, ShippedProjectsAreInRoverStudiosOwnLayout) {
-    for (const char* rover : {"solero", "shrimp", "bench_rover", "rocker_bogie"}) {
-        const auto copy = folder_ / "copy.rover";
-        ASSERT_EQ(roversim("convert " + shipped(rover) + " '" + copy.string() + "'").code, 0);
-        EXPECT_EQ(readAll(copy),
-                  readAll(ROVER_SOURCE_DIR "/assets/projects/" + std::string(rover) + ".rover"))
-            << rover;
+    int files = 0;
+    for (const char* where : {"projects", "mechanisms"}) {
+        const auto assets = std::filesystem::path(ROVER_SOURCE_DIR) / "assets" / where;
+        for (const auto& entry : std::filesystem::directory_iterator(assets)) {
+            const std::string file = entry.path().string();
+            const auto copy = folder_ / "copy.rover";
+            ASSERT_EQ(roversim("convert '" + file + "' '" + copy.string() + "'").code, 0) << file;
+            EXPECT_EQ(readAll(copy), readAll(file)) << file;
+            ++files;
+        }
     }
+    EXPECT_GT(files, 10);
 }
 
 TEST_F(RoversimTest, ValidateNamesEveryProblem) {

@@ -1,4 +1,5 @@
 // The heading loop against the closed form of what it controls.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 
 using namespace simcore;
 using control::HeadingHold;
+using control::TurnedBy;
 
 namespace {
 
@@ -25,13 +27,16 @@ control::Imu yawing(double rate) {
 struct Rover {
     double share = 1.0;
     double drift = 0.0;
-    HeadingHold hold{kPeriod, kBase};
+    double deadBand = 0.0;  ///< turns up to this do not come about at all [rad/s]
+    TurnedBy by = TurnedBy::Steering;
+    HeadingHold hold{kPeriod, kBase, by};
     double heading = 0.0;
     double rate = 0.0;
 
     void drive(double time, double asked = 0.0, double speed = kSpeed) {
         for (long i = std::lround(time / kPeriod); i > 0; --i) {
-            rate = share * hold.turn(yawing(rate), speed, asked) + drift;
+            const double turn = hold.turn(yawing(rate), speed, asked);
+            rate = share * (turn - std::clamp(turn, -deadBand, deadBand)) + drift;
             heading += rate * kPeriod;
         }
     }
@@ -56,6 +61,26 @@ TEST(HeadingHoldTest, HoldsARoverThatSlips) {
     EXPECT_NEAR(rover.heading, 0.0, 1e-3);
 }
 
+// A skid-steered rover does not turn at all until the turn asked for makes its wheels slip, and
+// then by a share. Knocked off its course it comes back to where its loop asks for no more than
+// that, and never beyond the course.
+TEST(HeadingHoldTest, DoesNotHuntWhereFrictionHoldsTheRover) {
+    constexpr double kDeadBand = 0.02;
+    Rover rover{.share = 0.6, .deadBand = kDeadBand, .by = TurnedBy::WheelSpeeds};
+    rover.drift = 0.1;
+    rover.drive(0.5);
+    rover.drift = 0.0;
+    const double knocked = rover.heading;
+    EXPECT_GT(knocked, 0.03);
+    double least = knocked;
+    for (int i = 0; i < 3000; ++i) {
+        rover.drive(kPeriod);
+        least = std::min(least, rover.heading);
+    }
+    EXPECT_NEAR(rover.heading, kDeadBand / 2.0, 1e-3);  // the loop's gain is 2 /s
+    EXPECT_GT(least, 0.0);
+}
+
 // While a turn is asked it is passed on; the heading it ends at is the one held.
 TEST(HeadingHoldTest, HoldsTheHeadingATurnEndsAt) {
     Rover rover;
@@ -69,7 +94,7 @@ TEST(HeadingHoldTest, HoldsTheHeadingATurnEndsAt) {
 
 // Standing it asks for nothing, and driving never for a tighter circle than of the wheelbase.
 TEST(HeadingHoldTest, AsksForNoTightTurn) {
-    HeadingHold hold(kPeriod, kBase);
+    HeadingHold hold(kPeriod, kBase, TurnedBy::Steering);
     for (int i = 0; i < 1000; ++i) {
         EXPECT_EQ(hold.turn(yawing(0.5), 0.0, 0.0), 0.0);
     }
@@ -88,8 +113,8 @@ TEST(HeadingHoldTest, YawIsAboutTheVertical) {
             imu.roll = roll;
             imu.pitch = pitch;
             imu.angularRate = tilt.conjugate() * Vec3(0.0, 0.0, rate);
-            HeadingHold tilted(kPeriod, kBase);
-            HeadingHold level(kPeriod, kBase);
+            HeadingHold tilted(kPeriod, kBase, TurnedBy::Steering);
+            HeadingHold level(kPeriod, kBase, TurnedBy::Steering);
             EXPECT_NEAR(tilted.turn(imu, kSpeed, 0.0), level.turn(yawing(rate), kSpeed, 0.0),
                         1e-12);
         }

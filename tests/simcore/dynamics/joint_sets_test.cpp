@@ -159,6 +159,7 @@ TEST_P(JointSetTest, HoldsWhatItHoldsAndBrakesNothing) {
         const auto [moved, turned] = errorsOf(mechanism, engine->poses());
         ASSERT_LT(moved, 1e-5) << "at step " << i;
         ASSERT_LT(turned, 1e-5) << "at step " << i;
+        ASSERT_NEAR(loopError(mechanism, engine->poses()), moved, 1e-12) << "at step " << i;
     }
     EXPECT_NEAR(kineticEnergy(mechanism, *engine), energy, 0.01 * energy);
     EXPECT_EQ(engine->poses()[0].position, Vec3::Zero()) << "the frame is fixed";

@@ -303,3 +303,69 @@ TEST_P(MechanismConformanceTest, GearDifferentialPitchesByTheMean) {
     EXPECT_GT(std::abs(pitch(1) - pitch(2)), 0.1);
     EXPECT_NEAR(pitch(0), 0.5 * (pitch(1) + pitch(2)), 1e-5);
 }
+
+namespace {
+
+/// The bar differential of the shipped rocker-bogie, about its rocker pivots: an arm stands up from
+/// each rocker, a rod leads from its tip back to the end of a bar that turns on an upright pin.
+struct BarDifferential {
+    double arm, rod, half;  ///< height of the arms, length of rods, half of the bar [m]
+
+    /// Ways that a rod of constant length lets its ends come nearer along x, when they part
+    /// sideways by the turned bar and in height by the turned rocker [m].
+    double shortening(double rocker, double bar) const {
+        const double side = half * (1.0 - std::cos(bar));
+        const double down = arm * (1.0 - std::cos(rocker));
+        return rod - std::sqrt(rod * rod - side * side - down * down);
+    }
+
+    /// Turn of the right rocker for one of the left [rad], both against the chassis.
+    double right(double left) const {
+        // arm sin(left) + half sin(bar) = -shortening, and the same with the other end of the bar:
+        // solved from the first order on. Each round gains at least a factor of 10.
+        double bar = -arm * left / half;
+        double other = -left;
+        for (int i = 0; i < 40; ++i) {
+            bar = std::asin((-shortening(left, bar) - arm * std::sin(left)) / half);
+            other = std::asin((-shortening(other, bar) + half * std::sin(bar)) / arm);
+        }
+        return other;
+    }
+
+    /// By how much the sum of both turns is not 0: the shortening of both rods to lowest order,
+    /// over the arm [rad]. What comes after it is of the sixth order, a seventh of it at 0.5 rad.
+    double excess(double turn) const {
+        return arm / (4.0 * rod) * (1.0 + arm * arm / (half * half)) * std::pow(turn, 4);
+    }
+};
+
+}  // namespace
+
+// A bar makes the chassis pitch by the mean of the rockers as well, to the third order of their
+// turns: with one wheel lifted, by half of the rockers' difference. What is left is the closed form
+// of the linkage, all the way to the stops at 45 deg.
+TEST_P(MechanismConformanceTest, BarDifferentialPitchesByNearlyTheMean) {
+    const Mechanism rover = mechanismOf("rocker_bogie_bar");
+    const auto point = [&](const std::string& joint) {
+        return rover.joints.at(static_cast<std::size_t>(rover.findJoint(joint))).point;
+    };
+    const int left = rover.findJoint("rocker_pivot_left");
+    const int right = rover.findJoint("rocker_pivot_right");
+    const Vec3 tip = point("rod_front_left");
+    const Vec3 end = point("rod_rear_left");
+    const BarDifferential bar{(tip - point("rocker_pivot_left")).z(), (tip - end).x(), end.y()};
+    World world(GetParam(), rover, 0.0);
+    world.motors = {{left, 0.5, 50.0}};
+    double r = 0.0;
+    for (int i = 0; i < 1500 && r > -0.77; ++i) {
+        world.step();
+        const double l = turn(world, left);
+        r = turn(world, right);
+        ASSERT_NEAR(r, bar.right(l), 2e-5) << "left rocker at " << l;
+        // The chassis' turn against the mean of the rockers: 0.15 mrad at 0.2 rad, 6.5 at 0.5.
+        if (std::abs(l) < 0.5) {
+            ASSERT_LT(std::abs(0.5 * (l + r)), 0.6 * bar.excess(l) + 2e-5) << "left at " << l;
+        }
+    }
+    EXPECT_LT(r, -0.77);
+}

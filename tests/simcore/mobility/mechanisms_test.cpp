@@ -226,7 +226,7 @@ TEST(LoopsTest, TreeHasNone) {
 TEST(ReactionsTest, PinsOfAFourBarAreDeterminedInTheirPlaneOnly) {
     const auto reactions = determinedReactions(mechanismFile("four_bar"), Model::Built);
     ASSERT_EQ(reactions.size(), 4U);
-    for (const JointReaction& reaction : reactions) {
+    for (const ReactionDeterminacy& reaction : reactions) {
         EXPECT_EQ(reaction.components, 5);
         EXPECT_EQ(reaction.determinacy, Determinacy::Some);
         ASSERT_EQ(reaction.determined.size(), 2U);
@@ -272,7 +272,7 @@ TEST(ReactionsTest, DeterminedComponentsAreTheSameInEveryEquilibrium) {
     const Eigen::VectorXd other =
         scale.cwiseProduct(weighted.completeOrthogonalDecomposition().solve(-load).eval());
     ASSERT_GT((spread - other).norm(), 1e-3 * spread.norm());
-    for (const JointReaction& reaction : determinedReactions(rover, Model::Built)) {
+    for (const ReactionDeterminacy& reaction : determinedReactions(rover, Model::Built)) {
         for (const ReactionComponent& component : reaction.determined) {
             double first = 0.0;
             double second = 0.0;

@@ -104,30 +104,36 @@ terrain::Terrain humpLeft(double height) {
 
 }  // namespace
 
-// One side of a rocker-bogie drives over a hump: the gear keeps the chassis' pitch at the mean of
-// its rockers'.
+// One side of a rocker-bogie drives over a hump: the differential keeps the chassis' pitch at the
+// mean of its rockers'. A gear does so exactly, a bar up to the fourth power of their turns (with
+// the factor of the shipped bar; see BarDifferentialPitchesByNearlyTheMean).
 TEST_P(RoverConformanceTest, DifferentialHalvesTheRockersTurn) {
-    const mechanism::Mechanism rover = mechanismOf("rocker_bogie");
-    ResolvedRun settings = runOf(rover, humpLeft(0.08));
-    settings.distance = 0.8;
-    Simulation simulation(settings, GetParam().make);
-    const auto left = static_cast<std::size_t>(rover.findBody("rocker_left"));
-    const auto right = static_cast<std::size_t>(rover.findBody("rocker_right"));
-    const auto chassis = static_cast<std::size_t>(rover.chassis);
-    double widest = 0.0;
-    while (!simulation.finished()) {
-        simulation.step();
-        const auto& bodies = simulation.snapshot().bodies;
-        // Turns of the rockers against the chassis about its pins are equal and opposite.
-        const Vec3 y = bodies[chassis].rotation * Vec3::UnitY();
-        const auto turnOf = [&](std::size_t body) {
-            return turnAbout(bodies[body].rotation * bodies[chassis].rotation.conjugate(), y);
-        };
-        ASSERT_NEAR(turnOf(left) + turnOf(right), 0.0, 1e-4);
-        widest = std::max(widest, std::abs(turnOf(left) - turnOf(right)));
+    for (const std::string name : {"rocker_bogie", "rocker_bogie_bar"}) {
+        SCOPED_TRACE(name);
+        const double excess = name == "rocker_bogie" ? 0.0 : 0.19;
+        const mechanism::Mechanism rover = mechanismOf(name);
+        ResolvedRun settings = runOf(rover, humpLeft(0.08));
+        settings.distance = 0.8;
+        Simulation simulation(settings, GetParam().make);
+        const auto left = static_cast<std::size_t>(rover.findBody("rocker_left"));
+        const auto right = static_cast<std::size_t>(rover.findBody("rocker_right"));
+        const auto chassis = static_cast<std::size_t>(rover.chassis);
+        double widest = 0.0;
+        while (!simulation.finished()) {
+            simulation.step();
+            const auto& bodies = simulation.snapshot().bodies;
+            // Turns of the rockers against the chassis about its pins are equal and opposite.
+            const Vec3 y = bodies[chassis].rotation * Vec3::UnitY();
+            const auto turnOf = [&](std::size_t body) {
+                return turnAbout(bodies[body].rotation * bodies[chassis].rotation.conjugate(), y);
+            };
+            ASSERT_NEAR(turnOf(left) + turnOf(right), 0.0,
+                        1e-4 + excess * std::pow(turnOf(left), 4));
+            widest = std::max(widest, std::abs(turnOf(left) - turnOf(right)));
+        }
+        EXPECT_EQ(simulation.report().stopReason, StopReason::Completed);
+        EXPECT_GT(widest, 0.05);
     }
-    EXPECT_EQ(simulation.report().stopReason, StopReason::Completed);
-    EXPECT_GT(widest, 0.05);
 }
 
 // A cart on a ramp climbs when friction exceeds the slope's tangent, and not before.

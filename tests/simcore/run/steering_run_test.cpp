@@ -180,6 +180,72 @@ TEST(HeadingHoldRunTest, HoldsTheHeadingOnOneSidedGround) {
     }
 }
 
+namespace {
+
+struct HeldDrive {
+    double worst = 0.0;  ///< heading [rad]
+    double end = 0.0;    ///< [rad]
+    double slip = 0.0;   ///< of all wheels [m]
+    bool completed = false;
+};
+
+/// A skid-steered cart starts hard, within 50 ms, on ground with a friction of 0.3 under its left
+/// wheels and of 0.7 under its right ones: the left ones slip and it turns to the left.
+HeldDrive driveOnUnevenFriction(double slope, bool hold) {
+    CartNumbers shortCart;
+    shortCart.halfBase = 0.09;
+    shortCart.halfTrack = 0.3;
+    ResolvedRun run = runOf(tilted(makeCart(shortCart), slope), slopeThroughOrigin(slope));
+    run.controller = ControllerKind::Speed;
+    run.headingHold = hold;
+    run.speed = 0.4;
+    run.ramp = 0.05;
+    run.distance = 1.8;
+    project::GroundRegion left;
+    left.friction = 0.3;
+    left.xMin = -10.0;
+    left.xMax = 10.0;
+    left.yMax = 10.0;
+    run.regions = {left};
+    Simulation simulation(run);
+    HeldDrive drive;
+    while (!simulation.finished()) {
+        simulation.step();
+        drive.end = yawOf(simulation.snapshot());
+        drive.worst = std::max(drive.worst, std::abs(drive.end));
+    }
+    drive.slip = simulation.report().slipAbs;
+    drive.completed = simulation.report().completed;
+    return drive;
+}
+
+}  // namespace
+
+// Uneven friction turns a skid-steered rover, the more the steeper it climbs. Heading hold brings
+// it back to its course, on level ground and on gentle rises, without swinging beyond it.
+TEST(HeadingHoldRunTest, UndoesWhatUnevenFrictionDid) {
+    for (const double slope : {0.0, 0.1, 0.2}) {
+        SCOPED_TRACE(slope);
+        const HeldDrive without = driveOnUnevenFriction(slope, false);
+        const HeldDrive with = driveOnUnevenFriction(slope, true);
+        ASSERT_TRUE(without.completed && with.completed);
+        EXPECT_GT(without.end, 0.007);
+        EXPECT_LT(std::abs(with.end), 0.1 * without.end);
+        EXPECT_GT(with.end, -0.001);
+        EXPECT_LE(with.worst, without.worst);
+        EXPECT_LT(with.slip, 2.0 * without.slip);
+    }
+}
+
+// Where the left wheels are at their limit from climbing alone, 0.25 rad, it helps little. It does
+// not spin the wheels until the rover stands, either.
+TEST(HeadingHoldRunTest, DoesNotStallAClimbOnUnevenFriction) {
+    const HeldDrive without = driveOnUnevenFriction(0.25, false);
+    const HeldDrive with = driveOnUnevenFriction(0.25, true);
+    EXPECT_TRUE(with.completed);
+    EXPECT_LT(with.worst, without.worst);
+}
+
 // Parked on a slope it does not creep.
 TEST(ParkingTest, ParkedRoverDoesNotCreep) {
     const double slope = 0.2;

@@ -30,6 +30,7 @@ class SensorSuiteTest : public ::testing::Test {
     SensorSuiteTest() {
         now.wheels.resize(mechanism.wheels.size());
         now.bodies.resize(mechanism.bodies.size());
+        now.joints.resize(mechanism.encoderJoints().size());
     }
 
     control::Sensors read(SensorSuite& suite) {
@@ -48,7 +49,7 @@ TEST_F(SensorSuiteTest, EncodersAreOnJointsThatAreNoAxles) {
     const std::vector<int> encoders = mechanism.encoderJoints();
     ASSERT_EQ(encoders.size(), 1U);
     EXPECT_EQ(mechanism.joints[static_cast<std::size_t>(encoders[0])].name, "rocker_pin");
-    engine.bodyPoses.back().rotation = Eigen::AngleAxisd(0.3, Vec3::UnitY());
+    now.joints[0].angle = 0.3;
     SensorSuite suite(mechanism, ideal, 1);
     EXPECT_NEAR(read(suite).joints.at(0), 0.3, 1e-12);
 }
