@@ -34,6 +34,7 @@ struct RecordingWriter::Impl {
     void write(std::string_view bytes);
     void writeTable(const ChunkTag& tag, Table& table);
     void writeTables();
+    void writeFiles(const project::ProjectFiles& files);
     void fail(const char* what);
 };
 
@@ -66,6 +67,17 @@ void RecordingWriter::Impl::writeTables() {
     writeTable(kMarksChunk, marks);
 }
 
+void RecordingWriter::Impl::writeFiles(const project::ProjectFiles& files) {
+    if (!files.carried) {
+        return;
+    }
+    for (const auto& [name, bytes] : *files.carried) {
+        for (std::size_t at = 0; at < bytes.size(); at += kFilePart) {
+            write(packFilePart(name, at, std::string_view(bytes).substr(at, kFilePart)));
+        }
+    }
+}
+
 RecordingWriter::RecordingWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 RecordingWriter::~RecordingWriter() {
@@ -92,6 +104,7 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::file
     }
     impl->write(kRecordingMagic);
     impl->write(packText(kHeaderChunk, formatHeader(header)));
+    impl->writeFiles(header.request.files);
     if (!impl->problems.empty()) {
         ::close(impl->descriptor);
         impl->descriptor = -1;

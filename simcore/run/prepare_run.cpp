@@ -122,12 +122,12 @@ std::optional<ResolvedRun> readRun(const project::Project& project,
 
 Result<terrain::Terrain> makeScenarioTerrain(const project::Scenario& scenario,
                                              const project::ParameterValues& parameters,
-                                             const std::filesystem::path& folder) {
+                                             const project::ProjectFiles& files) {
     const auto values = project::evaluateScenario(scenario, parameters);
     if (!values) {
         return values.problems();
     }
-    const auto imports = io::readTerrainFiles(scenario.terrain, folder);
+    const auto imports = io::readTerrainFiles(scenario.terrain, files);
     if (!imports) {
         return imports.problems();
     }
@@ -135,7 +135,7 @@ Result<terrain::Terrain> makeScenarioTerrain(const project::Scenario& scenario,
     return terrain::makeTerrain(scenario.terrain, parameters, travel, *imports);
 }
 
-Problems checkProject(const project::Project& project, const std::filesystem::path& folder) {
+Problems checkProject(const project::Project& project, const project::ProjectFiles& files) {
     Problems problems = project::validate(project);
     if (hasCritical(problems)) {
         return problems;
@@ -155,7 +155,7 @@ Problems checkProject(const project::Project& project, const std::filesystem::pa
             continue;  // reported above
         }
         addNamed(terrain::whyNoTerrain(scenario.terrain, *parameters), "scenario " + scenario.name);
-        addNamed(io::whyNoTerrainFiles(scenario.terrain, folder), "scenario " + scenario.name);
+        addNamed(io::whyNoTerrainFiles(scenario.terrain, files), "scenario " + scenario.name);
         if (!checked.insert(scenario.variant).second) {
             continue;  // the same rover again
         }
@@ -230,7 +230,7 @@ Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest
         problems.push_back({Severity::Critical, "rover " + run->mechanism.name,
                             "it has no wheels to drive on.", "Add wheels."});
     }
-    auto terrain = makeScenarioTerrain(asked->scenario, asked->parameters, request.folder);
+    auto terrain = makeScenarioTerrain(asked->scenario, asked->parameters, request.files);
     appendNew(problems, terrain.problems());
     if (!terrain) {
         return problems;

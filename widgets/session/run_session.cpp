@@ -32,7 +32,7 @@ Problems RunSession::prepare(const simcore::project::Project& project,
                              const simcore::run::RunRequest& request,
                              const std::string& projectFile) {
     simcore::run::RunRequest located = request;
-    located.folder = std::filesystem::path(projectFile).parent_path();
+    located.files.folder = std::filesystem::path(projectFile).parent_path();
     auto run = simcore::run::prepareRun(project, located);
     if (!run) {
         return run.problems();
