@@ -100,6 +100,8 @@ class RecordingReader {
     bool complete() const;
     /// The report as JSON text, as `roversim run --json` prints it; empty when not complete.
     const std::string& reportText() const;
+    /// The same as numbers; what cannot be read of it keeps its default. Stopped when not complete.
+    run::RunReport report() const;
     const std::vector<TimedCommand>& commands() const;
     /// In order of steps; the last one is the last that is known.
     const std::vector<HashMark>& marks() const;

@@ -110,6 +110,18 @@ std::string packFilePart(std::string_view name, std::uint64_t offset, std::strin
     return packText(kFileChunk, contents);
 }
 
+void writeFileParts(const project::ProjectFiles& files,
+                    const std::function<void(std::string_view)>& write) {
+    if (!files.carried) {
+        return;
+    }
+    for (const auto& [name, bytes] : *files.carried) {
+        for (std::size_t at = 0; at < bytes.size(); at += kFilePart) {
+            write(packFilePart(name, at, std::string_view(bytes).substr(at, kFilePart)));
+        }
+    }
+}
+
 std::optional<ChunkHead> readHead(std::string_view bytes) {
     if (bytes.size() != kChunkHeadSize ||
         get<std::uint32_t>(bytes, 36) != checksumOf(bytes.substr(0, 36))) {

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "simcore/project/project_files.h"
 
 /// The bytes of a recording: a chain of chunks, each with its length and checksums.
 /// docs/recordings.md defines them.
@@ -54,6 +57,9 @@ struct FilePart {
 };
 
 std::string packFilePart(std::string_view name, std::uint64_t offset, std::string_view bytes);
+/// Hands out the chunks of all carried files.
+void writeFileParts(const project::ProjectFiles& files,
+                    const std::function<void(std::string_view)>& write);
 
 /// The head in these kChunkHeadSize bytes; nothing when they are no whole head.
 std::optional<ChunkHead> readHead(std::string_view bytes);

@@ -7,6 +7,7 @@
 #include "simcore/io/recording.h"
 #include "simcore/io/recording_chunks.h"
 #include "simcore/io/recording_header.h"
+#include "simcore/io/run_report_json.h"
 
 namespace simcore::io {
 namespace {
@@ -46,6 +47,7 @@ struct RecordingReader::Impl {
     std::vector<TimedCommand> commands;
     std::vector<HashMark> marks;
     std::vector<Place> files, rows, frames;
+    std::optional<project::ProjectFiles> filesRead;
     std::size_t rowCount = 0, frameCount = 0;
     std::size_t cachedBlock = static_cast<std::size_t>(-1);
     Table cached;  ///< the block of frames read last
@@ -291,6 +293,10 @@ const std::string& RecordingReader::reportText() const {
     return impl_->report;
 }
 
+run::RunReport RecordingReader::report() const {
+    return parseReport(impl_->report);
+}
+
 const std::vector<TimedCommand>& RecordingReader::commands() const {
     return impl_->commands;
 }
@@ -300,6 +306,9 @@ const std::vector<HashMark>& RecordingReader::marks() const {
 }
 
 Result<project::ProjectFiles> RecordingReader::readFiles() {
+    if (impl_->filesRead) {
+        return *impl_->filesRead;
+    }
     if (!impl_->parsed.files) {
         return project::ProjectFiles(header().request.files.folder);
     }
@@ -307,8 +316,9 @@ Result<project::ProjectFiles> RecordingReader::readFiles() {
     if (!carried) {
         return carried.problems();
     }
-    return project::ProjectFiles(
+    impl_->filesRead = project::ProjectFiles(
         {}, std::make_shared<const project::CarriedFiles>(std::move(carried).value()));
+    return *impl_->filesRead;
 }
 
 std::size_t RecordingReader::rowCount() const {

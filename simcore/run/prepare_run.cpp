@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -202,6 +203,38 @@ Result<Asked> readRequest(const project::Project& project, const RunRequest& req
 }
 
 }  // namespace
+
+Result<project::Project> asRequested(const project::Project& project, const RunRequest& request) {
+    const auto found = findScenario(project, request.scenario);
+    if (!found) {
+        return found.problems();
+    }
+    project::Project result = project;
+    for (project::Scenario& scenario : result.scenarios) {
+        if (scenario.name == request.scenario) {
+            scenario = withRequest(scenario, request);
+        }
+    }
+    const auto variant =
+        std::find_if(result.variants.begin(), result.variants.end(),
+                     [&](const project::Variant& v) { return v.name == (*found)->variant; });
+    for (const project::Assignment& assignment : request.assignments) {
+        const project::Quantity value = project::quantityFrom(assignment.value);
+        if (variant != result.variants.end()) {
+            std::erase_if(variant->set, [&](const project::Override& change) {
+                return change.parameter == assignment.parameter;
+            });
+            variant->set.push_back({assignment.parameter, value});
+            continue;
+        }
+        for (project::Parameter& parameter : result.rover.parameters) {
+            if (parameter.name == assignment.parameter) {
+                parameter.value = value;
+            }
+        }
+    }
+    return result;
+}
 
 Result<ResolvedRun> evaluateRun(const project::Project& project, const RunRequest& request) {
     const auto asked = readRequest(project, request);

@@ -70,6 +70,10 @@ Result<const project::Scenario*> findScenario(const project::Project& project,
 /// tells of a run.
 Result<ResolvedRun> evaluateRun(const project::Project& project, const RunRequest& request);
 
+/// The project with what was asked for written into it: its scenario alone asks for the same run.
+/// Parameters are set in the scenario's variant when it has one. Problem: no such scenario.
+Result<project::Project> asRequested(const project::Project& project, const RunRequest& request);
+
 /// Resolves everything a run needs; all problems, none of them left for the engine to abort on.
 Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest& request);
 
