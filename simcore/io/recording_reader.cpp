@@ -175,7 +175,8 @@ Problems RecordingReader::Impl::outline() {
         return {};
     }
     const std::uint64_t whole = std::min(offset, wholeUntil());
-    const double end = rows.empty() ? 0.0 : rows.back().head.last;
+    const double end = std::max(rows.empty() ? 0.0 : rows.back().head.last,
+                                frames.empty() ? 0.0 : frames.back().head.last);
     return {{Severity::Warning, source,
              fmt::format("the recording was interrupted or is damaged: {} of its {} bytes can be "
                          "read, up to {:.2f} s.",

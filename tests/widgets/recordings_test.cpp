@@ -7,9 +7,11 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <QThread>
 #include <QTimer>
 #include <QToolButton>
 #include <fstream>
@@ -25,6 +27,7 @@
 #include "widgets/plots/plot_panel.h"
 #include "widgets/session/run_bar.h"
 #include "widgets/session/timeline_slider.h"
+#include "widgets/window/background.h"
 #include "widgets/window/recording_commands.h"
 
 using simcore::io::RecordingReader;
@@ -384,6 +387,51 @@ TEST_F(RecordingsTest, WhatIsNoRecordingIsExplainedAndEverythingStays) {
     answerNextBox(QMessageBox::Cancel);
     EXPECT_FALSE(window->open(file));
     EXPECT_DOUBLE_EQ(parameterValue("wheel_radius"), 0.09);
+}
+
+// Longer than memory is to hold: kept whole, evenly at a coarser resolution, with its very end.
+TEST_F(RecordingsTest, ALongRecordingIsThinnedWhileItIsRead) {
+    recordSolero(3.0);
+    const auto loaded =
+        widgets::loadRecording(file.toStdString(), {}, widgets::RecordingStore(100, 30));
+    ASSERT_TRUE(loaded) << toString(loaded.problems());
+    const auto& rows = (*loaded)->store.recording().rows;
+    EXPECT_LE(rows.size(), 100U);
+    EXPECT_GE(rows.size(), 50U);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        ASSERT_NEAR(rows[i][0] - rows[i - 1][0], 0.04, 1e-9);
+    }
+    EXPECT_LE((*loaded)->store.recording().frames.size(), 30U);
+    EXPECT_NEAR((*loaded)->last->time, 3.0, 1e-9);
+    // Reading may be stopped.
+    const auto stopped = widgets::loadRecording(file.toStdString(), [](double) { return false; });
+    ASSERT_TRUE(stopped);
+    EXPECT_EQ(*stopped, nullptr);
+}
+
+// A window that is busy shows how far it is, takes no other input, and can be told to stop.
+TEST_F(RecordingsTest, LongWorkShowsItsProgressAndCanBeStopped) {
+    bool shown = false;
+    onNext<QProgressDialog>([&](QProgressDialog* dialog) {
+        shown = true;
+        EXPECT_EQ(dialog->labelText(), "Working");
+        auto* cancel = dialog->findChild<QPushButton*>();
+        ASSERT_NE(cancel, nullptr);
+        QTest::mouseClick(cancel, Qt::LeftButton);
+    });
+    bool stopped = false;
+    widgets::workInBackground(window.get(), "Working", [&](const widgets::GoOn& goOn) {
+        EXPECT_NE(QThread::currentThread(), QApplication::instance()->thread());
+        for (int i = 0; i < 2000 && !stopped; ++i) {
+            stopped = !goOn(i / 2000.0);
+            QThread::msleep(10);
+        }
+    });
+    EXPECT_TRUE(shown);
+    EXPECT_TRUE(stopped);
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+    const auto fail = [](const widgets::GoOn&) { throw std::runtime_error("why"); };
+    EXPECT_THROW(widgets::workInBackground(window.get(), "Failing", fail), std::runtime_error);
 }
 
 TEST_F(RecordingsTest, ARecordingMayBeDroppedOnTheWindow) {

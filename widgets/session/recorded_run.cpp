@@ -1,5 +1,6 @@
 #include "widgets/session/recorded_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -32,17 +33,19 @@ Problems readRun(RecordingReader& reader, RecordedRun& run) {
     auto prepared = simcore::io::prepareRecorded(reader);
     if (!prepared) {
         // The run can be looked at without its ground.
+        const Problems& all = prepared.problems();
+        const auto why = std::find_if(all.begin(), all.end(), [](const Problem& problem) {
+            return problem.severity == Severity::Critical;
+        });
         problems.push_back({Severity::Warning, run.file.string(),
-                            "the ground cannot be shown: " + toString(prepared.problems()),
-                            "Take another copy of the recording if there is one."});
+                            "the ground cannot be shown: " + why->reason, why->remedy});
         prepared = simcore::run::evaluateRun(*project, header.request);
         if (!prepared) {
             return prepared.problems();
         }
     }
-    if (auto files = reader.readFiles()) {
-        run.request.files = std::move(files).value();
-    }
+    auto files = reader.readFiles();
+    run.request.files = files ? std::move(files).value() : simcore::project::ProjectFiles();
     run.settings = std::move(prepared).value();
     const auto& mechanism = run.settings.mechanism;
     if (header.size.bodies != mechanism.bodies.size() ||
@@ -134,8 +137,9 @@ class NumbersReader {
 
 }  // namespace
 
-simcore::Result<std::shared_ptr<RecordedRun>> loadRecording(
-    const std::filesystem::path& file, const std::function<bool(double)>& goOn) {
+simcore::Result<std::shared_ptr<RecordedRun>> loadRecording(const std::filesystem::path& file,
+                                                            const std::function<bool(double)>& goOn,
+                                                            RecordingStore store) {
     auto opened = RecordingReader::open(file);
     if (!opened) {
         return opened.problems();
@@ -143,6 +147,7 @@ simcore::Result<std::shared_ptr<RecordedRun>> loadRecording(
     RecordingReader& reader = **opened;
     auto run = std::make_shared<RecordedRun>();
     run->file = file;
+    run->store = std::move(store);
     Problems problems = opened.problems();
     appendNew(problems, readRun(reader, *run));
     if (hasCritical(problems)) {

@@ -27,12 +27,13 @@ struct RecordedRun {
 };
 
 /// Reads a recording through a store, block by block: it may be larger than the memory. Takes long
-/// for a long one, so belongs off the GUI thread. `goOn` is called with the part that is done [0 to
-/// 1]; null when it said no.
+/// for a long one, so belongs off the GUI thread. `store` says how much is kept. `goOn` is called
+/// with the part that is done [0 to 1]; null when it said no.
 ///
 /// A problem when there is nothing to look at; warnings when the recording ends early, is damaged
 /// further on, or has no ground.
 simcore::Result<std::shared_ptr<RecordedRun>> loadRecording(
-    const std::filesystem::path& file, const std::function<bool(double)>& goOn);
+    const std::filesystem::path& file, const std::function<bool(double)>& goOn = {},
+    RecordingStore store = RecordingStore());
 
 }  // namespace widgets
