@@ -333,6 +333,13 @@ void Scene::clearTrail() {
     impl_->buildOverlays();
 }
 
+void Scene::setTrail(const std::vector<std::shared_ptr<const Snapshot>>& instants) {
+    impl_->trail.clear();
+    for (const auto& instant : instants) {
+        impl_->trail.record(*instant);
+    }
+}
+
 void Scene::setTheme(bool dark) {
     impl_->fogColor->set(dark ? osg::Vec3(0.050F, 0.060F, 0.078F) : osg::Vec3(0.62F, 0.56F, 0.48F));
     impl_->zenithColor->set(dark ? osg::Vec3(0.010F, 0.014F, 0.024F)

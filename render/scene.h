@@ -95,6 +95,9 @@ class Scene {
     int highlightedJoint() const;
     int highlightedBody() const;
     void clearTrail();
+    /// The trail of these instants of a run of this mechanism, in the order of time; shown up to
+    /// the instant of the next setSnapshot().
+    void setTrail(const std::vector<std::shared_ptr<const simcore::run::Snapshot>>& instants);
     /// Sky and fog that go with a dark or a light window.
     void setTheme(bool dark);
     void setQuality(const Quality& quality);

@@ -58,7 +58,7 @@ Problems everythingWrong(const project::Project& project, const std::filesystem:
     for (const project::Scenario& scenario : project.scenarios) {
         run::RunRequest request;
         request.scenario = scenario.name;
-        request.folder = folder;
+        request.files = folder;
         for (Problem problem : run::prepareRun(project, request).problems()) {
             if (problem.severity == Severity::Critical) {
                 problem.element = "scenario " + scenario.name + ", " + problem.element;

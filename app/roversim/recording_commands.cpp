@@ -7,8 +7,8 @@
 #include "simcore/io/csv.h"
 #include "simcore/io/json_format.h"
 #include "simcore/io/mobility_json.h"
-#include "simcore/io/project_file.h"
 #include "simcore/io/recording.h"
+#include "simcore/io/replay.h"
 
 namespace roversim {
 
@@ -27,69 +27,18 @@ std::unique_ptr<io::RecordingReader> openOrComplain(const std::string& file) {
     return opened ? std::move(opened).value() : nullptr;
 }
 
-/// The run of a recording, from the recording alone.
-std::optional<run::ResolvedRun> prepareOrComplain(const std::string& file,
-                                                  const io::RecordingHeader& header) {
-    const auto project = io::parseProject(header.projectText, file + " (its project)");
-    printProblems(file, project.problems());
-    if (!project) {
-        return std::nullopt;
-    }
-    auto prepared = run::prepareRun(*project, header.request);
-    printProblems(file, prepared.problems());
-    return prepared ? std::optional(std::move(prepared).value()) : std::nullopt;
-}
-
-/// How far a run went the same way as its recording.
-struct Comparison {
-    long steps = 0;      ///< compared
-    long sameUntil = 0;  ///< last mark that agrees
-    std::string expected, found;
-
-    bool same() const { return expected == found; }
-};
-
-/// Runs again, and stops at the first mark that differs.
-Comparison runAgain(run::Simulation& simulation, const io::RecordingReader& recording) {
-    Comparison comparison;
-    auto command = recording.commands().begin();
-    for (const io::HashMark& mark : recording.marks()) {
-        while (simulation.snapshot().step < mark.step && !simulation.finished()) {
-            for (; command != recording.commands().end() &&
-                   command->step <= simulation.snapshot().step;
-                 ++command) {
-                simulation.setManualCommand(command->command);
-            }
-            simulation.step();
-        }
-        comparison.steps = simulation.snapshot().step;
-        comparison.expected = mark.stateHash;
-        comparison.found = comparison.steps == mark.step ? simulation.report().stateHash : "";
-        if (!comparison.same()) {
-            break;
-        }
-        comparison.sameUntil = mark.step;
-    }
-    return comparison;
-}
-
 int replay(const ReplayOptions& options) {
     const auto recording = openOrComplain(options.file);
     if (!recording) {
         return kAnswerIsNo;
     }
     const io::RecordingHeader& header = recording->header();
-    if (recording->marks().empty()) {
-        fmt::print(stderr, "{}: it ends before its first state hash: nothing can be compared\n",
-                   options.file);
+    const auto replayed = io::replay(*recording);
+    printProblems(options.file, replayed.problems());
+    if (!replayed) {
         return kAnswerIsNo;
     }
-    auto prepared = prepareOrComplain(options.file, header);
-    if (!prepared) {
-        return kAnswerIsNo;
-    }
-    run::Simulation simulation(std::move(*prepared));
-    const Comparison result = runAgain(simulation, *recording);
+    const io::ReplayResult& result = *replayed;
     if (options.json) {
         auto document = io::jsonDocument("roverstudio-replay-1");
         document["recorded_with"] = header.programVersion;

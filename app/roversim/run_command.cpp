@@ -156,6 +156,13 @@ int runScenario(const Options& options) {
     if (!project) {
         return kAnswerIsNo;
     }
+    if (!options.record.empty()) {
+        const Problems problems = io::carryFiles(*project, *request);
+        printProblems(options.file, problems);
+        if (hasCritical(problems)) {
+            return kAnswerIsNo;
+        }
+    }
     auto prepared = run::prepareRun(*project, *request);
     printProblems(options.file, prepared.problems());
     if (!prepared) {

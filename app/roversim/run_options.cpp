@@ -31,7 +31,7 @@ std::optional<run::RunRequest> requestOf(const RunOptions& options) {
     }
     run::RunRequest request;
     request.scenario = options.scenario;
-    request.folder = std::filesystem::path(options.file).parent_path();
+    request.files.folder = std::filesystem::path(options.file).parent_path();
     if (!options.controller.empty()) {
         request.controller = project::fromName<project::ControllerKind>(options.controller);
     }

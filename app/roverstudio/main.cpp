@@ -13,6 +13,7 @@
 #include "widgets/session/run_bar.h"
 #include "widgets/window/file_commands.h"
 #include "widgets/window/main_window.h"
+#include "widgets/window/recording_commands.h"
 
 namespace {
 
@@ -56,7 +57,11 @@ int takeScreenshot(widgets::MainWindow& window, const Options& options) {
     window.resize(sizeFrom(options.size));
     window.show();
     waitFor(600, [] { return false; });
-    if (options.runFor > 0.0) {
+    if (window.session().recorded() != nullptr) {
+        if (options.runFor > 0.0) {
+            window.session().scrub(options.runFor);
+        }
+    } else if (options.runFor > 0.0) {
         window.session().setSpeedFactor(0.0);
         if (!window.playPause()) {
             std::fprintf(stderr,
@@ -100,14 +105,17 @@ int run(const Options& options) {
         window.setDark(options.theme == "dark");
     }
     if (!options.file.empty()) {
-        if (picturing) {
-            const auto problems = window.document().open(QString::fromStdString(options.file));
-            if (!problems.empty()) {
-                std::fprintf(stderr, "roverstudio: %s\n", toString(problems).c_str());
+        const QString file = QString::fromStdString(options.file);
+        if (!picturing) {
+            window.open(file);
+        } else if (const auto problems = widgets::RecordingCommands::isRecording(file)
+                                             ? window.recordings().load(file)
+                                             : window.document().open(file);
+                   !problems.empty()) {
+            std::fprintf(stderr, "roverstudio: %s\n", toString(problems).c_str());
+            if (hasCritical(problems)) {
                 return kAnswerIsNo;
             }
-        } else {
-            window.files().openFile(QString::fromStdString(options.file));
         }
     }
     if (!options.scenario.empty()) {
@@ -134,7 +142,7 @@ int main(int argc, char** argv) {
                       "roverstudio"};
     commands.set_version_flag("--version", "roverstudio " + simcore::programVersion());
     commands.failure_message(CLI::FailureMessage::simple);
-    commands.add_option("FILE", options.file, "project to open (.rover)");
+    commands.add_option("FILE", options.file, "project (.rover) or recording (.roverrec) to open");
     commands.add_option("--screenshot", options.screenshot,
                         "picture the window into this PNG file and exit");
     commands

@@ -19,15 +19,21 @@ namespace simcore::io {
 struct RecordingHeader {
     std::string programVersion;
     std::string projectFile;  ///< as the user knew it; only for people
-    std::string projectText;  ///< whole: the recording needs no other file
-    run::RunRequest request;  ///< scenario and what was asked for on top of it
-    std::string variant;      ///< of the scenario
-    std::string engine;       ///< what computed it
+    std::string projectText;  ///< whole
+    /// Scenario and what was asked for on top of it. A writer puts the carried files into the
+    /// recording; a reader leaves them there: RecordingReader::readFiles().
+    run::RunRequest request;
+    std::string variant;  ///< of the scenario
+    std::string engine;   ///< what computed it
     int seed = 1;
     project::ParameterValues parameters;  ///< as used [SI]
     std::vector<run::Channel> channels;
     SnapshotSize size;
 };
+
+/// Reads the files of the requested scenario's ground into `request`: the run then drives on the
+/// very bytes that its recording carries. Problems when there are none such.
+Problems carryFiles(const project::Project& project, run::RunRequest& request);
 
 /// The header of a run of this project as requested and prepared.
 RecordingHeader recordingHeader(const project::Project& project, const run::RunRequest& request,
@@ -94,9 +100,15 @@ class RecordingReader {
     bool complete() const;
     /// The report as JSON text, as `roversim run --json` prints it; empty when not complete.
     const std::string& reportText() const;
+    /// The same as numbers; what cannot be read of it keeps its default. Stopped when not complete.
+    run::RunReport report() const;
     const std::vector<TimedCommand>& commands() const;
     /// In order of steps; the last one is the last that is known.
     const std::vector<HashMark>& marks() const;
+
+    /// The files of the ground: those that the recording carries or, when it is of a version that
+    /// carried none, their folder. A problem when one is damaged or not whole.
+    Result<project::ProjectFiles> readFiles();
 
     std::size_t rowCount() const;
     std::size_t frameCount() const;

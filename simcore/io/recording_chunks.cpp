@@ -100,6 +100,28 @@ std::string packText(const ChunkTag& tag, std::string_view text) {
     return pack(head, text);
 }
 
+std::string packFilePart(std::string_view name, std::uint64_t offset, std::string_view bytes) {
+    std::string contents;
+    contents.reserve(12 + name.size() + bytes.size());
+    put(static_cast<std::uint32_t>(name.size()), contents);
+    contents += name;
+    put(offset, contents);
+    contents += bytes;
+    return packText(kFileChunk, contents);
+}
+
+void writeFileParts(const project::ProjectFiles& files,
+                    const std::function<void(std::string_view)>& write) {
+    if (!files.carried) {
+        return;
+    }
+    for (const auto& [name, bytes] : *files.carried) {
+        for (std::size_t at = 0; at < bytes.size(); at += kFilePart) {
+            write(packFilePart(name, at, std::string_view(bytes).substr(at, kFilePart)));
+        }
+    }
+}
+
 std::optional<ChunkHead> readHead(std::string_view bytes) {
     if (bytes.size() != kChunkHeadSize ||
         get<std::uint32_t>(bytes, 36) != checksumOf(bytes.substr(0, 36))) {
@@ -153,6 +175,19 @@ std::optional<Table> unpackTable(const ChunkHead& head, std::string_view stored)
 
 std::optional<std::string> unpackText(const ChunkHead& head, std::string_view stored) {
     return unpack(head, stored);
+}
+
+std::optional<FilePart> unpackFilePart(const ChunkHead& head, std::string_view stored) {
+    const auto contents = unpack(head, stored);
+    if (!contents || contents->size() < 12) {
+        return std::nullopt;
+    }
+    const std::size_t length = get<std::uint32_t>(*contents, 0);
+    if (length > contents->size() - 12) {
+        return std::nullopt;
+    }
+    return FilePart{contents->substr(4, length), get<std::uint64_t>(*contents, 4 + length),
+                    contents->substr(12 + length)};
 }
 
 }  // namespace simcore::io

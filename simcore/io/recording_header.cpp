@@ -8,6 +8,7 @@
 #include "simcore/base/version.h"
 #include "simcore/io/csv.h"
 #include "simcore/io/project_file.h"
+#include "simcore/io/terrain_file.h"
 #include "simcore/project/names.h"
 
 namespace simcore::io {
@@ -21,6 +22,8 @@ constexpr const char* kSchema = "roverstudio-recording-1";
 // Bounds of what a reader takes; far beyond any rover.
 constexpr std::size_t kMostParts = 10000;
 constexpr int kDeepest = 32;
+constexpr std::size_t kMostFiles = 1000;
+constexpr std::size_t kLongestName = 4096;
 
 template <class T>
 void putOptional(Json& json, const char* key, const std::optional<T>& value) {
@@ -37,8 +40,8 @@ std::optional<T> getOptional(const ReadJson& json, const char* key) {
 Json toJson(const run::RunRequest& request) {
     Json json;
     json["scenario"] = request.scenario;
-    if (!request.folder.empty()) {
-        json["folder"] = std::filesystem::absolute(request.folder).string();
+    if (!request.files.folder.empty()) {
+        json["folder"] = std::filesystem::absolute(request.files.folder).string();
     }
     if (request.controller) {
         json["controller"] = project::nameOf(*request.controller);
@@ -60,7 +63,7 @@ Json toJson(const run::RunRequest& request) {
 run::RunRequest requestFrom(const ReadJson& json) {
     run::RunRequest request;
     request.scenario = json.at("scenario").get<std::string>();
-    request.folder = json.value("folder", std::string());
+    request.files.folder = json.value("folder", std::string());
     if (json.contains("controller")) {
         const auto name = json.at("controller").get<std::string>();
         request.controller = project::fromName<project::ControllerKind>(name);
@@ -151,6 +154,24 @@ std::size_t partsFrom(const ReadJson& json, const char* key) {
     return parts;
 }
 
+std::vector<ListedFile> filesFrom(const ReadJson& json) {
+    std::vector<ListedFile> files;
+    std::uint64_t total = 0;
+    for (const ReadJson& file : json) {
+        if (!file.at("bytes").is_number_unsigned()) {
+            throw std::runtime_error("the size of a file is not a number of bytes");
+        }
+        files.push_back(
+            {file.at("name").get<std::string>(), file.at("bytes").get<std::uint64_t>()});
+        const ListedFile& last = files.back();
+        if (files.size() > kMostFiles || last.name.size() > kLongestName ||
+            last.size > kLargestTerrainFile || (total += last.size) > kMostCarried) {
+            throw std::runtime_error("its files are too many or too large");
+        }
+    }
+    return files;
+}
+
 ParsedHeader fromJson(const ReadJson& json) {
     if (json.at("schema") != kSchema) {
         throw std::runtime_error(
@@ -165,6 +186,9 @@ ParsedHeader fromJson(const ReadJson& json) {
     header.variant = json.at("variant").get<std::string>();
     header.engine = json.at("engine").get<std::string>();
     header.seed = json.at("seed").get<int>();
+    if (json.contains("files")) {
+        parsed.files = filesFrom(json.at("files"));
+    }
     for (const auto& [name, value] : json.at("parameters").items()) {
         header.parameters[name] = value.get<double>();
     }
@@ -187,6 +211,18 @@ ParsedHeader fromJson(const ReadJson& json) {
 }
 
 }  // namespace
+
+Problems carryFiles(const project::Project& project, run::RunRequest& request) {
+    const auto scenario = run::findScenario(project, request.scenario);
+    if (!scenario) {
+        return scenario.problems();
+    }
+    auto carried = carryTerrainFiles((*scenario)->terrain, request.files);
+    if (carried) {
+        request.files.carried = std::move(carried).value();
+    }
+    return carried.problems();
+}
 
 RecordingHeader recordingHeader(const project::Project& project, const run::RunRequest& request,
                                 const run::ResolvedRun& run, const std::string& engine,
@@ -217,6 +253,12 @@ std::string formatHeader(const RecordingHeader& header) {
     json["variant"] = header.variant;
     json["engine"] = header.engine;
     json["seed"] = header.seed;
+    if (header.request.files.carried) {
+        json["files"] = Json::array();
+        for (const auto& [name, bytes] : *header.request.files.carried) {
+            json["files"].push_back({{"name", name}, {"bytes", bytes.size()}});
+        }
+    }
     json["parameters"] = Json::object();
     for (const auto& [name, value] : header.parameters) {
         json["parameters"][name] = value;

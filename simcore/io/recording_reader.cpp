@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <fstream>
+#include <map>
 
 #include <fmt/format.h>
 
 #include "simcore/io/recording.h"
 #include "simcore/io/recording_chunks.h"
 #include "simcore/io/recording_header.h"
+#include "simcore/io/run_report_json.h"
 
 namespace simcore::io {
 namespace {
@@ -44,7 +46,8 @@ struct RecordingReader::Impl {
     bool complete = false;
     std::vector<TimedCommand> commands;
     std::vector<HashMark> marks;
-    std::vector<Place> rows, frames;
+    std::vector<Place> files, rows, frames;
+    std::optional<project::ProjectFiles> filesRead;
     std::size_t rowCount = 0, frameCount = 0;
     std::size_t cachedBlock = static_cast<std::size_t>(-1);
     Table cached;  ///< the block of frames read last
@@ -53,6 +56,7 @@ struct RecordingReader::Impl {
     Problems outline();
     bool take(const Place& place);
     bool takeEntries(const Place& place);
+    Result<project::CarriedFiles> carried(const std::vector<ListedFile>& listed);
     Result<Table> table(const Place& place, std::size_t columns);
     std::uint64_t wholeUntil();
 };
@@ -108,6 +112,8 @@ bool RecordingReader::Impl::take(const Place& place) {
         frames.push_back(place);
         frames.back().before = frameCount;
         frameCount += place.head.count;
+    } else if (tag == kFileChunk) {
+        files.push_back(place);
     } else if (tag == kCommandsChunk || tag == kMarksChunk) {
         return takeEntries(place);
     } else if (tag == kReportChunk) {
@@ -169,7 +175,8 @@ Problems RecordingReader::Impl::outline() {
         return {};
     }
     const std::uint64_t whole = std::min(offset, wholeUntil());
-    const double end = rows.empty() ? 0.0 : rows.back().head.last;
+    const double end = std::max(rows.empty() ? 0.0 : rows.back().head.last,
+                                frames.empty() ? 0.0 : frames.back().head.last);
     return {{Severity::Warning, source,
              fmt::format("the recording was interrupted or is damaged: {} of its {} bytes can be "
                          "read, up to {:.2f} s.",
@@ -206,6 +213,39 @@ Result<Table> RecordingReader::Impl::table(const Place& place, std::size_t colum
         }
     }
     return damaged(source, place.offset, Severity::Critical);
+}
+
+/// The listed files, each of its parts one after the other from its beginning.
+Result<project::CarriedFiles> RecordingReader::Impl::carried(
+    const std::vector<ListedFile>& listed) {
+    project::CarriedFiles read;
+    std::map<std::string, std::uint64_t> sizes;
+    for (const ListedFile& file : listed) {
+        sizes.emplace(file.name, file.size);
+        read.emplace(file.name, std::string());
+    }
+    for (const Place& place : files) {
+        std::string stored;
+        const auto part =
+            readBytes(place.offset, place.head.stored, stored) && checksumHolds(place.head, stored)
+                ? unpackFilePart(place.head, stored)
+                : std::nullopt;
+        const auto whole = part ? sizes.find(part->name) : sizes.end();
+        if (whole == sizes.end() || part->offset != read[part->name].size() ||
+            part->bytes.size() > whole->second - part->offset) {
+            return damaged(source, place.offset, Severity::Critical);
+        }
+        read[part->name] += part->bytes;
+    }
+    for (const auto& [name, bytes] : read) {
+        if (bytes.size() != sizes[name]) {
+            return Problem{Severity::Critical, source,
+                           fmt::format("of its file '{}' there are {} of {} bytes.", name,
+                                       bytes.size(), sizes[name]),
+                           "Take another copy of the recording if there is one."};
+        }
+    }
+    return read;
 }
 
 RecordingReader::RecordingReader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -254,12 +294,32 @@ const std::string& RecordingReader::reportText() const {
     return impl_->report;
 }
 
+run::RunReport RecordingReader::report() const {
+    return parseReport(impl_->report);
+}
+
 const std::vector<TimedCommand>& RecordingReader::commands() const {
     return impl_->commands;
 }
 
 const std::vector<HashMark>& RecordingReader::marks() const {
     return impl_->marks;
+}
+
+Result<project::ProjectFiles> RecordingReader::readFiles() {
+    if (impl_->filesRead) {
+        return *impl_->filesRead;
+    }
+    if (!impl_->parsed.files) {
+        return project::ProjectFiles(header().request.files.folder);
+    }
+    auto carried = impl_->carried(*impl_->parsed.files);
+    if (!carried) {
+        return carried.problems();
+    }
+    impl_->filesRead = project::ProjectFiles(
+        {}, std::make_shared<const project::CarriedFiles>(std::move(carried).value()));
+    return *impl_->filesRead;
 }
 
 std::size_t RecordingReader::rowCount() const {

@@ -11,29 +11,19 @@
 #include "simcore/io/recording.h"
 #include "simcore/io/recording_chunks.h"
 #include "simcore/io/recording_header.h"
+#include "simcore/io/recording_tables.h"
 #include "simcore/io/run_report_json.h"
 
 namespace simcore::io {
-namespace {
-
-// Rows to a chunk: enough to compress well, and what an interruption costs at most (2.56 s of
-// rows).
-constexpr std::size_t kRowsPerChunk = 256;
-constexpr std::size_t kFramesPerChunk = 128;
-
-}  // namespace
 
 struct RecordingWriter::Impl {
     std::filesystem::path file;
     std::filesystem::path partial;
     int descriptor = -1;
-    Table rows, frames, commands, marks;
-    bool markWanted = false;
     Problems problems;
+    RecordingTables tables{[this](std::string_view chunk) { write(chunk); }};
 
     void write(std::string_view bytes);
-    void writeTable(const ChunkTag& tag, Table& table);
-    void writeTables();
     void fail(const char* what);
 };
 
@@ -49,21 +39,6 @@ void RecordingWriter::Impl::write(std::string_view bytes) {
     if (problems.empty() && !writeAll(descriptor, bytes)) {
         fail("cannot write");
     }
-}
-
-void RecordingWriter::Impl::writeTable(const ChunkTag& tag, Table& table) {
-    if (!table.empty()) {
-        write(packTable(tag, table));
-        table.clear();
-    }
-}
-
-void RecordingWriter::Impl::writeTables() {
-    // Commands first: a recording that ends here can be run again up to its last row.
-    writeTable(kCommandsChunk, commands);
-    writeTable(kRowsChunk, rows);
-    writeTable(kFramesChunk, frames);
-    writeTable(kMarksChunk, marks);
 }
 
 RecordingWriter::RecordingWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -92,6 +67,7 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::file
     }
     impl->write(kRecordingMagic);
     impl->write(packText(kHeaderChunk, formatHeader(header)));
+    writeFileParts(header.request.files, [&](std::string_view chunk) { impl->write(chunk); });
     if (!impl->problems.empty()) {
         ::close(impl->descriptor);
         impl->descriptor = -1;
@@ -103,43 +79,23 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::file
 
 void RecordingWriter::add(const std::vector<std::vector<double>>& rows,
                           const std::vector<std::shared_ptr<const run::Snapshot>>& frames) {
-    for (const auto& frame : frames) {
-        impl_->frames.push_back(toNumbers(*frame));
-        if (impl_->frames.size() >= kFramesPerChunk) {
-            impl_->writeTable(kFramesChunk, impl_->frames);
-        }
-    }
-    for (const std::vector<double>& row : rows) {
-        impl_->rows.push_back(row);
-        if (impl_->rows.size() >= kRowsPerChunk) {
-            impl_->writeTables();
-            impl_->markWanted = true;
-        }
-    }
+    impl_->tables.add(rows, frames);
 }
 
 void RecordingWriter::add(const TimedCommand& command) {
-    impl_->commands.push_back(
-        {static_cast<double>(command.step), command.command.speed, command.command.turn});
-    if (impl_->commands.size() >= kRowsPerChunk) {
-        impl_->writeTable(kCommandsChunk, impl_->commands);
-    }
+    impl_->tables.add(command);
 }
 
 bool RecordingWriter::wantsMark() const {
-    return impl_->markWanted;
+    return impl_->tables.wantsMark();
 }
 
 void RecordingWriter::add(const HashMark& mark) {
-    const std::uint64_t hash = std::stoull(mark.stateHash, nullptr, 16);
-    impl_->marks.push_back({static_cast<double>(mark.step), static_cast<double>(hash >> 32U),
-                            static_cast<double>(hash & 0xffffffffU)});
-    impl_->writeTable(kMarksChunk, impl_->marks);
-    impl_->markWanted = false;
+    impl_->tables.add(mark);
 }
 
 Result<bool> RecordingWriter::finish(const run::RunReport& report) {
-    impl_->writeTables();
+    impl_->tables.flush();
     impl_->write(packText(kReportChunk, formatJson(toJson(report))));
     if (impl_->problems.empty() && ::fsync(impl_->descriptor) != 0) {
         impl_->fail("cannot write");

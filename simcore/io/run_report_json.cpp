@@ -1,6 +1,7 @@
 #include "simcore/io/run_report_json.h"
 
 #include <cmath>
+#include <type_traits>
 
 namespace simcore::io {
 namespace {
@@ -24,7 +25,89 @@ Json toJson(const run::WheelReport& wheel) {
     return json;
 }
 
+/// Takes a value when it is there and of the right kind.
+template <class T>
+void take(const nlohmann::json& json, const char* key, T& value) {
+    const auto found = json.find(key);
+    if (found == json.end()) {
+        return;
+    }
+    if constexpr (std::is_same_v<T, std::string>) {
+        value = found->is_string() ? found->template get<T>() : value;
+    } else if constexpr (std::is_same_v<T, bool>) {
+        value = found->is_boolean() ? found->template get<T>() : value;
+    } else if constexpr (std::is_same_v<T, long>) {
+        value = found->is_number_integer() ? found->template get<T>() : value;
+    } else {
+        value = found->is_number() ? found->template get<T>() : value;
+    }
+}
+
+run::StopReason reasonFrom(const std::string& name) {
+    using run::StopReason;
+    for (const StopReason reason : {StopReason::Running, StopReason::Completed, StopReason::TimeUp,
+                                    StopReason::Stuck, StopReason::NonFinite}) {
+        if (run::toString(reason) == name) {
+            return reason;
+        }
+    }
+    return StopReason::Stopped;
+}
+
+run::WheelReport wheelFrom(const nlohmann::json& json) {
+    run::WheelReport wheel;
+    take(json, "name", wheel.name);
+    take(json, "slip_abs_m", wheel.slipAbs);
+    take(json, "slip_signed_m", wheel.slipSigned);
+    take(json, "slip_lateral_m", wheel.slipLateral);
+    take(json, "mean_normal_force_N", wheel.meanNormalForce);
+    take(json, "max_torque_Nm", wheel.maxTorque);
+    take(json, "energy_J", wheel.energy);
+    take(json, "air_time_s", wheel.airTime);
+    return wheel;
+}
+
 }  // namespace
+
+run::RunReport parseReport(const std::string& text) {
+    run::RunReport report;
+    report.stopReason = run::StopReason::Stopped;
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_object()) {
+        return report;
+    }
+    take(json, "engine", report.engine);
+    take(json, "scenario", report.scenario);
+    take(json, "dt", report.step);
+    take(json, "steps", report.steps);
+    take(json, "sim_time_s", report.simTime);
+    take(json, "wall_s", report.wallTime);
+    take(json, "rtf", report.rtf);
+    take(json, "completed", report.completed);
+    std::string reason;
+    take(json, "stop_reason", reason);
+    report.stopReason = reasonFrom(reason);
+    take(json, "stop_detail", report.stopDetail);
+    take(json, "distance_m", report.distance);
+    take(json, "slip_abs_m", report.slipAbs);
+    take(json, "slip_signed_m", report.slipSigned);
+    if (const auto wheels = json.find("wheels"); wheels != json.end() && wheels->is_array()) {
+        for (const auto& wheel : *wheels) {
+            report.wheels.push_back(wheelFrom(wheel));
+        }
+    }
+    take(json, "energy_J", report.energy);
+    take(json, "state_hash", report.stateHash);
+    take(json, "friction_violation_pct", report.frictionViolationPercent);
+    take(json, "friction_worst_pct", report.frictionWorstPercent);
+    take(json, "loop_error_max_mm", report.loopErrorMax);
+    take(json, "penetration_max_mm", report.penetrationMax);
+    report.loopErrorMax *= 1e-3;
+    report.penetrationMax *= 1e-3;
+    take(json, "solves_per_step", report.solvesPerStep);
+    take(json, "solver_messages", report.solverMessages);
+    return report;
+}
 
 Json toJson(const run::RunReport& report) {
     Json json;

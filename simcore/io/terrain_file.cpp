@@ -14,8 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using project::TerrainKind;
 
-constexpr std::uintmax_t kLargestFile = 256U << 20U;
-
 bool readsFile(TerrainKind kind) {
     return kind == TerrainKind::Image || kind == TerrainKind::AsciiGrid ||
            kind == TerrainKind::Mesh;
@@ -32,7 +30,7 @@ Problem noFile(const project::Terrain& spec, const fs::path& folder) {
 Result<std::string> bytesOf(const fs::path& file) {
     std::error_code error;
     const auto size = fs::file_size(file, error);
-    if (error || size > kLargestFile) {
+    if (error || size > kLargestTerrainFile) {
         return Problem{Severity::Critical, file.string(),
                        error ? "the file cannot be read." : "the file is larger than 256 MiB.",
                        error ? "Check its permissions." : "Cut or simplify it."};
@@ -55,24 +53,30 @@ void take(Result<T> read, const std::string& key, std::map<std::string, T>& into
     }
 }
 
-void readInto(const project::Terrain& spec, const fs::path& folder, terrain::Imports& imports,
-              Problems& problems) {
+void readInto(const project::Terrain& spec, const project::ProjectFiles& files,
+              terrain::Imports& imports, Problems& problems) {
     for (const project::Terrain& part : spec.terrains) {
-        readInto(part, folder, imports, problems);
+        readInto(part, files, imports, problems);
     }
     if (!readsFile(spec.kind) || imports.rasters.contains(spec.file) ||
         imports.meshes.contains(spec.file)) {
         return;
     }
-    const fs::path file = findTerrainFile(spec.file, folder);
-    if (file.empty()) {
-        appendNew(problems, {noFile(spec, folder)});
-        return;
-    }
-    const auto text = bytesOf(file);
-    appendNew(problems, text.problems());
-    if (!text) {
-        return;
+    fs::path file = spec.file;
+    const std::string* text = files.find(spec.file);
+    Result<std::string> read = std::string();
+    if (text == nullptr) {
+        file = findTerrainFile(spec.file, files.folder);
+        if (file.empty()) {
+            appendNew(problems, {noFile(spec, files.folder)});
+            return;
+        }
+        read = bytesOf(file);
+        appendNew(problems, read.problems());
+        if (!read) {
+            return;
+        }
+        text = &*read;
     }
     const auto bytes = std::as_bytes(std::span(text->data(), text->size()));
     if (spec.kind == TerrainKind::Mesh) {
@@ -84,6 +88,26 @@ void readInto(const project::Terrain& spec, const fs::path& folder, terrain::Imp
     } else {
         std::istringstream stream(*text);
         take(readAsciiGrid(stream, file.string()), spec.file, imports.rasters, problems);
+    }
+}
+
+void carryInto(const project::Terrain& spec, const project::ProjectFiles& files,
+               project::CarriedFiles& carried, Problems& problems) {
+    for (const project::Terrain& part : spec.terrains) {
+        carryInto(part, files, carried, problems);
+    }
+    if (!readsFile(spec.kind) || carried.contains(spec.file)) {
+        return;
+    }
+    if (const std::string* bytes = files.find(spec.file)) {
+        carried.emplace(spec.file, *bytes);
+        return;
+    }
+    const fs::path file = findTerrainFile(spec.file, files.folder);
+    auto bytes = file.empty() ? Result<std::string>(noFile(spec, files.folder)) : bytesOf(file);
+    appendNew(problems, bytes.problems());
+    if (bytes) {
+        carried.emplace(spec.file, std::move(bytes).value());
     }
 }
 
@@ -103,23 +127,61 @@ fs::path findTerrainFile(const std::string& text, const fs::path& folder) {
     return {};
 }
 
-Result<terrain::Imports> readTerrainFiles(const project::Terrain& spec, const fs::path& folder) {
+Result<terrain::Imports> readTerrainFiles(const project::Terrain& spec,
+                                          const project::ProjectFiles& files) {
     terrain::Imports imports;
     Problems problems;
-    readInto(spec, folder, imports, problems);
+    readInto(spec, files, imports, problems);
     if (hasCritical(problems)) {
         return problems;
     }
     return Result<terrain::Imports>(std::move(imports), std::move(problems));
 }
 
-Problems whyNoTerrainFiles(const project::Terrain& spec, const fs::path& folder) {
+Problems whyNoTerrainFiles(const project::Terrain& spec, const project::ProjectFiles& files) {
     Problems problems;
     for (const project::Terrain& part : spec.terrains) {
-        appendNew(problems, whyNoTerrainFiles(part, folder));
+        appendNew(problems, whyNoTerrainFiles(part, files));
     }
-    if (readsFile(spec.kind) && findTerrainFile(spec.file, folder).empty()) {
-        appendNew(problems, {noFile(spec, folder)});
+    if (readsFile(spec.kind) && files.find(spec.file) == nullptr &&
+        findTerrainFile(spec.file, files.folder).empty()) {
+        appendNew(problems, {noFile(spec, files.folder)});
+    }
+    return problems;
+}
+
+Result<std::shared_ptr<const project::CarriedFiles>> carryTerrainFiles(
+    const project::Terrain& spec, const project::ProjectFiles& files) {
+    auto carried = std::make_shared<project::CarriedFiles>();
+    Problems problems;
+    carryInto(spec, files, *carried, problems);
+    std::uintmax_t total = 0;
+    for (const auto& [name, bytes] : *carried) {
+        total += bytes.size();
+    }
+    if (total > kMostCarried) {
+        problems.push_back({Severity::Critical, "terrain " + project::nameOf(spec.kind),
+                            fmt::format("its files are {} MiB together; a recording carries {} "
+                                        "MiB at most.",
+                                        total >> 20U, kMostCarried >> 20U),
+                            "Cut or simplify them, or run without recording."});
+    }
+    if (hasCritical(problems)) {
+        return problems;
+    }
+    return std::shared_ptr<const project::CarriedFiles>(std::move(carried));
+}
+
+Problems whyNotCarried(const project::Terrain& spec, const project::CarriedFiles& carried) {
+    Problems problems;
+    for (const project::Terrain& part : spec.terrains) {
+        appendNew(problems, whyNotCarried(part, carried));
+    }
+    if (readsFile(spec.kind) && !carried.contains(spec.file)) {
+        appendNew(problems,
+                  {{Severity::Critical, "terrain " + project::nameOf(spec.kind) + ", file",
+                    fmt::format("the recording lacks its file '{}'.", spec.file),
+                    "Take another copy of the recording, or record the run again."}});
     }
     return problems;
 }

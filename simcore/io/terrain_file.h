@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <istream>
 #include <span>
@@ -7,6 +8,7 @@
 
 #include "simcore/base/result.h"
 #include "simcore/project/project.h"
+#include "simcore/project/project_files.h"
 #include "simcore/terrain/imports.h"
 
 /// Ground from and to files: the one place where terrain files are read. Readers take bytes or a
@@ -27,16 +29,28 @@ Result<terrain::Raster> readPng(std::span<const std::byte> bytes, const std::str
 Result<terrain::TriangleMesh> readMesh(std::span<const std::byte> bytes,
                                        const std::string& extension, const std::string& name);
 
+/// Largest file of a terrain, and all the files of one together that a recording carries [byte].
+inline constexpr std::uintmax_t kLargestTerrainFile = 256U << 20U;
+inline constexpr std::uintmax_t kMostCarried = 512U << 20U;
+
 /// The file that a terrain means by its text: an absolute path, or one relative to the `folder` of
 /// the project or, failing that, to the folder of the shipped projects. Empty when there is none.
 std::filesystem::path findTerrainFile(const std::string& text, const std::filesystem::path& folder);
 
-/// Reads the files of a terrain and of its parts.
+/// Reads the files of a terrain and of its parts, carried ones first.
 Result<terrain::Imports> readTerrainFiles(const project::Terrain& spec,
-                                          const std::filesystem::path& folder);
+                                          const project::ProjectFiles& files);
 
 /// The problems of readTerrainFiles() that can be seen without reading: no such file.
-Problems whyNoTerrainFiles(const project::Terrain& spec, const std::filesystem::path& folder);
+Problems whyNoTerrainFiles(const project::Terrain& spec, const project::ProjectFiles& files);
+
+/// The bytes of all files of a terrain and of its parts, for a recording to carry. A problem when
+/// one cannot be read or they are more than kMostCarried.
+Result<std::shared_ptr<const project::CarriedFiles>> carryTerrainFiles(
+    const project::Terrain& spec, const project::ProjectFiles& files);
+
+/// A problem for every file of a terrain that is not carried.
+Problems whyNotCarried(const project::Terrain& spec, const project::CarriedFiles& carried);
 
 /// What a written image means in metres.
 struct RasterScale {

@@ -183,6 +183,8 @@ bool isDerived(const Parameter& parameter) {
     return !parameter.value.isLiteral() && !namesIn(parameter.value.text()).empty();
 }
 
+}  // namespace
+
 Quantity quantityFrom(const std::string& text) {
     double number = 0.0;
     const char* end = text.data() + text.size();
@@ -193,8 +195,6 @@ Quantity quantityFrom(const std::string& text) {
     // Not a plain number: an expression, judged when it is valued.
     return Quantity::expression(text.empty() ? " " : text);
 }
-
-}  // namespace
 
 Result<ParameterValues> evaluateParameters(const Rover& rover, const std::vector<Override>& variant,
                                            const std::vector<Assignment>& assignments) {

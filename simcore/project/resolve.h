@@ -21,6 +21,9 @@ struct Assignment {
     bool operator==(const Assignment&) const = default;
 };
 
+/// A number when the text is one, else an expression.
+Quantity quantityFrom(const std::string& text);
+
 /// Values of all parameters: the file's, then the variant's, then `assignments`.
 ///
 /// Problems: unknown name, circular or malformed expression, a value outside the parameter's

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -122,12 +123,12 @@ std::optional<ResolvedRun> readRun(const project::Project& project,
 
 Result<terrain::Terrain> makeScenarioTerrain(const project::Scenario& scenario,
                                              const project::ParameterValues& parameters,
-                                             const std::filesystem::path& folder) {
+                                             const project::ProjectFiles& files) {
     const auto values = project::evaluateScenario(scenario, parameters);
     if (!values) {
         return values.problems();
     }
-    const auto imports = io::readTerrainFiles(scenario.terrain, folder);
+    const auto imports = io::readTerrainFiles(scenario.terrain, files);
     if (!imports) {
         return imports.problems();
     }
@@ -135,7 +136,7 @@ Result<terrain::Terrain> makeScenarioTerrain(const project::Scenario& scenario,
     return terrain::makeTerrain(scenario.terrain, parameters, travel, *imports);
 }
 
-Problems checkProject(const project::Project& project, const std::filesystem::path& folder) {
+Problems checkProject(const project::Project& project, const project::ProjectFiles& files) {
     Problems problems = project::validate(project);
     if (hasCritical(problems)) {
         return problems;
@@ -155,7 +156,7 @@ Problems checkProject(const project::Project& project, const std::filesystem::pa
             continue;  // reported above
         }
         addNamed(terrain::whyNoTerrain(scenario.terrain, *parameters), "scenario " + scenario.name);
-        addNamed(io::whyNoTerrainFiles(scenario.terrain, folder), "scenario " + scenario.name);
+        addNamed(io::whyNoTerrainFiles(scenario.terrain, files), "scenario " + scenario.name);
         if (!checked.insert(scenario.variant).second) {
             continue;  // the same rover again
         }
@@ -203,6 +204,38 @@ Result<Asked> readRequest(const project::Project& project, const RunRequest& req
 
 }  // namespace
 
+Result<project::Project> asRequested(const project::Project& project, const RunRequest& request) {
+    const auto found = findScenario(project, request.scenario);
+    if (!found) {
+        return found.problems();
+    }
+    project::Project result = project;
+    for (project::Scenario& scenario : result.scenarios) {
+        if (scenario.name == request.scenario) {
+            scenario = withRequest(scenario, request);
+        }
+    }
+    const auto variant =
+        std::find_if(result.variants.begin(), result.variants.end(),
+                     [&](const project::Variant& v) { return v.name == (*found)->variant; });
+    for (const project::Assignment& assignment : request.assignments) {
+        const project::Quantity value = project::quantityFrom(assignment.value);
+        if (variant != result.variants.end()) {
+            std::erase_if(variant->set, [&](const project::Override& change) {
+                return change.parameter == assignment.parameter;
+            });
+            variant->set.push_back({assignment.parameter, value});
+            continue;
+        }
+        for (project::Parameter& parameter : result.rover.parameters) {
+            if (parameter.name == assignment.parameter) {
+                parameter.value = value;
+            }
+        }
+    }
+    return result;
+}
+
 Result<ResolvedRun> evaluateRun(const project::Project& project, const RunRequest& request) {
     const auto asked = readRequest(project, request);
     if (!asked) {
@@ -230,7 +263,7 @@ Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest
         problems.push_back({Severity::Critical, "rover " + run->mechanism.name,
                             "it has no wheels to drive on.", "Add wheels."});
     }
-    auto terrain = makeScenarioTerrain(asked->scenario, asked->parameters, request.folder);
+    auto terrain = makeScenarioTerrain(asked->scenario, asked->parameters, request.files);
     appendNew(problems, terrain.problems());
     if (!terrain) {
         return problems;

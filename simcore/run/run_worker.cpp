@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <iterator>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -29,6 +30,7 @@ struct Command {
     Kind kind = Kind::Pause;
     double factor = 1.0;
     ManualCommand manual;
+    std::function<void(const RunReport&)> work;  ///< of Report: what to do with it
 };
 
 /// Where simulated time should be, by the wall clock.
@@ -93,9 +95,10 @@ class RateMeter {
 }  // namespace
 
 struct RunWorker::Impl {
-    Impl(ResolvedRun r, StepperFactory f)
+    Impl(ResolvedRun r, StepperFactory f, std::unique_ptr<RunSink> s)
         : run(std::move(r)),
           factory(std::move(f)),
+          sink(std::move(s)),
           sampler(run.mechanism) {}
 
     // Written before the thread starts, only read after.
@@ -113,11 +116,11 @@ struct RunWorker::Impl {
     std::shared_ptr<const Snapshot> latest = std::make_shared<const Snapshot>();
     std::vector<std::vector<double>> rows;
     std::vector<std::shared_ptr<const Snapshot>> frames;
-    RunReport report;
     double rate = 0.0;
     std::atomic<bool> commandsWaiting = false;  ///< so that a batch of steps ends early
 
     // The worker thread's own.
+    const std::unique_ptr<RunSink> sink;  ///< may be null
     std::unique_ptr<Stepper> stepper;
     Sampler sampler;
     Pacer pacer;
@@ -173,16 +176,14 @@ void RunWorker::Impl::work(const std::stop_token& stop) {
             handle(command);
             wasReset = wasReset || command.kind == Command::Kind::Reset;
         }
-        const bool wantsReport = std::any_of(batch.begin(), batch.end(), [](const Command& c) {
-            return c.kind == Command::Kind::Report;
-        });
         if (!batch.empty()) {
             publish(wasReset);
-            const RunReport made = wantsReport ? currentReport() : RunReport{};
-            const std::lock_guard lock(mutex);
-            if (wantsReport) {
-                report = made;
+            for (const Command& command : batch) {
+                if (command.kind == Command::Kind::Report) {
+                    command.work(currentReport());
+                }
             }
+            const std::lock_guard lock(mutex);
             handled += static_cast<long>(batch.size());
             done.notify_all();
         }
@@ -224,6 +225,9 @@ void RunWorker::Impl::handle(const Command& command) {
             }
             break;
         case Command::Kind::Manual:
+            if (stepper && sink && command.manual != manual) {
+                sink->add(stepper->snapshot().step, command.manual);
+            }
             manual = command.manual;
             if (stepper) {
                 stepper->setManualCommand(manual);
@@ -270,6 +274,12 @@ void RunWorker::Impl::restart() {
         failure.clear();
         stepper->setManualCommand(manual);
         sampler.start(stepper->snapshot());
+        if (sink) {
+            sink->restart();
+            if (manual != ManualCommand{}) {
+                sink->add(0, manual);
+            }
+        }
         meter.restart(stepper->snapshot().time);
         nextState = stepper->finished() ? WorkerState::Finished : WorkerState::Paused;
     } catch (const std::exception& error) {
@@ -311,6 +321,15 @@ void RunWorker::Impl::publish(bool dropOld) {
             newRate = meter.add(newest->time);
         }
     }
+    std::vector<std::vector<double>> newRows;
+    std::vector<std::shared_ptr<const Snapshot>> newFrames;
+    sampler.moveTo(newRows, newFrames);
+    if (sink && stepper) {
+        sink->add(newRows, newFrames);
+        if (sink->wantsMark()) {
+            sink->mark(stepper->snapshot().step, currentReport().stateHash);
+        }
+    }
     const std::lock_guard lock(mutex);
     if (dropOld) {
         rows.clear();
@@ -323,14 +342,15 @@ void RunWorker::Impl::publish(bool dropOld) {
     if (newRate > 0.0) {
         rate = newRate;
     }
-    sampler.moveTo(rows, frames);
+    std::move(newRows.begin(), newRows.end(), std::back_inserter(rows));
+    std::move(newFrames.begin(), newFrames.end(), std::back_inserter(frames));
     state = nextState;
     ready = true;
     done.notify_all();
 }
 
-RunWorker::RunWorker(ResolvedRun run, StepperFactory factory)
-    : impl_(std::make_unique<Impl>(std::move(run), std::move(factory))) {
+RunWorker::RunWorker(ResolvedRun run, StepperFactory factory, std::unique_ptr<RunSink> sink)
+    : impl_(std::make_unique<Impl>(std::move(run), std::move(factory), std::move(sink))) {
     impl_->thread =
         std::jthread([impl = impl_.get()](const std::stop_token& stop) { impl->work(stop); });
     std::unique_lock lock(impl_->mutex);
@@ -340,30 +360,30 @@ RunWorker::RunWorker(ResolvedRun run, StepperFactory factory)
 RunWorker::~RunWorker() = default;
 
 void RunWorker::play() {
-    impl_->post({Command::Kind::Play, 1.0, {}});
+    impl_->post({Command::Kind::Play, 1.0, {}, {}});
 }
 
 void RunWorker::pause() {
-    impl_->post({Command::Kind::Pause, 1.0, {}});
+    impl_->post({Command::Kind::Pause, 1.0, {}, {}});
 }
 
 void RunWorker::stepOnce() {
-    impl_->post({Command::Kind::StepOnce, 1.0, {}});
+    impl_->post({Command::Kind::StepOnce, 1.0, {}, {}});
 }
 
 void RunWorker::reset() {
-    impl_->post({Command::Kind::Reset, 1.0, {}});
+    impl_->post({Command::Kind::Reset, 1.0, {}, {}});
 }
 
 void RunWorker::setSpeedFactor(double factor) {
     if (!(factor >= 0.0) || !std::isfinite(factor)) {
         throw std::invalid_argument("RunWorker: the speed factor must be 0 or positive");
     }
-    impl_->post({Command::Kind::SpeedFactor, factor, {}});
+    impl_->post({Command::Kind::SpeedFactor, factor, {}, {}});
 }
 
 void RunWorker::setManualCommand(const ManualCommand& command) {
-    impl_->post({Command::Kind::Manual, 1.0, command});
+    impl_->post({Command::Kind::Manual, 1.0, command, {}});
 }
 
 WorkerState RunWorker::state() const {
@@ -394,10 +414,14 @@ double RunWorker::realTimeFactor() const {
     return impl_->rate;
 }
 
+void RunWorker::betweenSteps(const std::function<void(const RunReport&)>& work) const {
+    impl_->post({Command::Kind::Report, 1.0, {}, work});
+}
+
 RunReport RunWorker::report() const {
-    impl_->post({Command::Kind::Report, 1.0, {}});
-    const std::lock_guard lock(impl_->mutex);
-    return impl_->report;
+    RunReport made;
+    betweenSteps([&made](const RunReport& report) { made = report; });
+    return made;
 }
 
 }  // namespace simcore::run

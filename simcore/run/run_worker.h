@@ -23,6 +23,22 @@ class Stepper {
     virtual RunReport report() const = 0;
 };
 
+/// Takes what a run gives while it goes, on the worker's thread: a recording for instance. It must
+/// not throw.
+class RunSink {
+  public:
+    virtual ~RunSink() = default;
+    /// The run stands at its start: what came before is no part of it.
+    virtual void restart() = 0;
+    virtual void add(const std::vector<std::vector<double>>& rows,
+                     const std::vector<std::shared_ptr<const Snapshot>>& frames) = 0;
+    /// A command, in force from this step on.
+    virtual void add(long step, const ManualCommand& command) = 0;
+    /// Whether it is time for a mark.
+    virtual bool wantsMark() const = 0;
+    virtual void mark(long step, const std::string& stateHash) = 0;
+};
+
 using StepperFactory = std::function<std::unique_ptr<Stepper>(const ResolvedRun&)>;
 
 /// Period of the recorded channel rows and of the playback frames, in simulated time [s].
@@ -39,8 +55,8 @@ inline constexpr double kFramePeriod = 0.02;
 class RunWorker {
   public:
     /// Returns when the simulation stands at its start (or failed to be made: state() is Finished).
-    explicit RunWorker(ResolvedRun run);
-    RunWorker(ResolvedRun run, StepperFactory factory);
+    explicit RunWorker(ResolvedRun run, std::unique_ptr<RunSink> sink = nullptr);
+    RunWorker(ResolvedRun run, StepperFactory factory, std::unique_ptr<RunSink> sink = nullptr);
     ~RunWorker();  ///< stops and joins
     RunWorker(const RunWorker&) = delete;
     RunWorker& operator=(const RunWorker&) = delete;
@@ -55,6 +71,10 @@ class RunWorker {
     /// 1 = real time, 0 = as fast as possible.
     void setSpeedFactor(double factor);
     void setManualCommand(const ManualCommand& command);
+
+    /// Calls `work` on the worker's thread, between two steps, with the report so far; returns when
+    /// it has returned. It must not throw.
+    void betweenSteps(const std::function<void(const RunReport&)>& work) const;
 
     WorkerState state() const;
     const ResolvedRun& settings() const;

@@ -27,8 +27,10 @@ class SimulationStepper final : public Stepper {
 
 }  // namespace
 
-RunWorker::RunWorker(ResolvedRun run)
-    : RunWorker(std::move(run),
-                [](const ResolvedRun& r) { return std::make_unique<SimulationStepper>(r); }) {}
+RunWorker::RunWorker(ResolvedRun run, std::unique_ptr<RunSink> sink)
+    : RunWorker(
+          std::move(run),
+          [](const ResolvedRun& r) { return std::make_unique<SimulationStepper>(r); },
+          std::move(sink)) {}
 
 }  // namespace simcore::run

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 #include "simcore/base/result.h"
 #include "simcore/dynamics/engine.h"
 #include "simcore/mechanism/mechanism.h"
+#include "simcore/project/project_files.h"
 #include "simcore/project/resolve.h"
 #include "simcore/run/channels.h"
 #include "simcore/run/snapshot.h"
@@ -20,8 +20,7 @@ namespace simcore::run {
 /// What is asked for on top of the scenario. Empty fields keep the scenario's.
 struct RunRequest {
     std::string scenario;
-    /// Of the project file; terrain files are relative to it. Empty = the working directory.
-    std::filesystem::path folder;
+    project::ProjectFiles files;  ///< where those of the terrain are
     std::optional<project::ControllerKind> controller;
     std::optional<double> friction;
     std::optional<double> duration;
@@ -54,15 +53,14 @@ struct ResolvedRun : project::ScenarioValues {
 };
 
 /// The ground of a scenario; it reaches beyond the way the rover is to drive, ahead of the start or
-/// (negative speed) behind it. Reads the terrain's files, relative to `folder`.
+/// (negative speed) behind it. Reads the terrain's files.
 Result<terrain::Terrain> makeScenarioTerrain(const project::Scenario& scenario,
                                              const project::ParameterValues& parameters,
-                                             const std::filesystem::path& folder = {});
+                                             const project::ProjectFiles& files = {});
 
 /// project::validate(), and what would keep a scenario from running: its terrain, the engine. Makes
-/// no terrain and reads no files, only looks for them in `folder`, so that an editor can ask after
-/// every edit.
-Problems checkProject(const project::Project& project, const std::filesystem::path& folder = {});
+/// no terrain and reads no files, only looks for them, so that an editor can ask after every edit.
+Problems checkProject(const project::Project& project, const project::ProjectFiles& files = {});
 
 /// The scenario of that name; the problem lists those there are.
 Result<const project::Scenario*> findScenario(const project::Project& project,
@@ -71,6 +69,10 @@ Result<const project::Scenario*> findScenario(const project::Project& project,
 /// A run's settings and mechanism without its ground, so without any of its files: for what only
 /// tells of a run.
 Result<ResolvedRun> evaluateRun(const project::Project& project, const RunRequest& request);
+
+/// The project with what was asked for written into it: its scenario alone asks for the same run.
+/// Parameters are set in the scenario's variant when it has one. Problem: no such scenario.
+Result<project::Project> asRequested(const project::Project& project, const RunRequest& request);
 
 /// Resolves everything a run needs; all problems, none of them left for the engine to abort on.
 Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest& request);

@@ -355,6 +355,149 @@ TEST_F(RecordedRun, ExportGivesTheTableOfTheRun) {
     EXPECT_EQ(json::parse(readAll(path("again.json"))), json::parse(readAll(path("run.json"))));
 }
 
+/// A rover on an imported ground: a project in a folder of its own.
+class ImportedGround : public RecordedRun {
+  protected:
+    ImportedGround() {
+        const std::filesystem::path assets(ROVER_SOURCE_DIR "/assets");
+        std::filesystem::create_directories(folder_ / "mine" / "projects");
+        std::filesystem::copy(assets / "terrains", folder_ / "mine" / "grounds");
+        std::string project = readAll(assets / "projects" / "terrains.rover");
+        // Another folder than that of the shipped grounds, which are found from anywhere.
+        for (std::size_t at = 0; (at = project.find("../terrains/", at)) != std::string::npos;) {
+            project.replace(at, 12, "../grounds/");
+        }
+        write("mine/projects/my.rover", project);
+    }
+
+    Outcome recordOn(const char* scenario) const {
+        return roversim("run '" + path("mine/projects/my.rover") + "' --scenario " + scenario +
+                        " --duration 1 --json --record '" + path("run.roverrec") + "'");
+    }
+};
+
+// Image, grid and mesh: each is in the recording.
+TEST_F(ImportedGround, ReplayNeedsNoFileButTheRecording) {
+    for (const char* scenario : {"image", "ascii-grid", "mesh"}) {
+        const Outcome run = recordOn(scenario);
+        ASSERT_TRUE(std::filesystem::exists(path("run.roverrec"))) << run.err;
+        std::filesystem::rename(path("mine"), path("gone"));
+        const Outcome replay = roversim("replay --json '" + path("run.roverrec") + "'");
+        EXPECT_EQ(replay.code, 0) << scenario << ": " << replay.err;
+        EXPECT_EQ(json::parse(replay.out).at("same"), true) << scenario;
+        EXPECT_EQ(json::parse(replay.out).at("state_hash"), json::parse(run.out).at("state_hash"));
+        std::filesystem::rename(path("gone"), path("mine"));
+    }
+}
+
+// What the recording lacks is not looked for elsewhere, even where it lies.
+TEST_F(ImportedGround, ADamagedGroundIsAProblem) {
+    recordOn("image");
+    const std::string whole = readAll(path("run.roverrec"));
+    const std::size_t file = whole.find("FILE");
+    ASSERT_NE(file, std::string::npos);
+    std::string damaged = whole;
+    damaged[file + 100] = static_cast<char>(damaged[file + 100] ^ 4);
+    write("damaged.roverrec", damaged);
+    const Outcome replay = roversim("replay '" + path("damaged.roverrec") + "'");
+    EXPECT_EQ(replay.code, 1);
+    EXPECT_THAT(replay.err, HasSubstr("damaged at byte"));
+    // The rest of it is good.
+    const Outcome table =
+        roversim("export '" + path("damaged.roverrec") + "' '" + path("x.csv") + "'");
+    EXPECT_EQ(table.code, 0) << table.err;
+}
+
+TEST_F(ImportedGround, AGroundThatCannotBeCarriedIsRefusedBeforeTheRun) {
+    std::filesystem::resize_file(path("mine/grounds/dunes.png"), (256U << 20U) + 1);
+    const Outcome run = recordOn("image");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.err, HasSubstr("larger than 256 MiB"));
+    EXPECT_FALSE(std::filesystem::exists(path("run.roverrec")));
+    EXPECT_FALSE(std::filesystem::exists(path("run.roverrec.part")));
+}
+
+// A recording that wants to read or write where it likes: names of files are keys, nothing else.
+TEST_F(ImportedGround, NamesInARecordingReachNoFile) {
+    using namespace simcore;
+    auto project = io::loadProject(path("mine/projects/my.rover"));
+    ASSERT_TRUE(project);
+    const std::string ground = readAll(path("mine/grounds/dunes.png"));
+    const std::string hostile = path("planted.png");
+    for (const std::string& name : {hostile, std::string("../../planted.png"), hostile + "/.."}) {
+        run::RunRequest request;
+        request.scenario = "image";
+        request.duration = 0.1;
+        project::Project changed = *project;
+        for (project::Scenario& scenario : changed.scenarios) {
+            if (scenario.name == "image") {
+                for (project::Terrain& part : scenario.terrain.terrains) {
+                    part.file = part.file.empty() ? "" : name;
+                }
+                scenario.terrain.file = scenario.terrain.file.empty() ? "" : name;
+            }
+        }
+        const auto save = [&](const char* file, const project::CarriedFiles& files) {
+            request.files.carried = std::make_shared<const project::CarriedFiles>(files);
+            auto prepared = run::prepareRun(changed, request);
+            ASSERT_TRUE(prepared) << toString(prepared.problems());
+            run::Simulation simulation(std::move(prepared).value());
+            io::RecordingHeader header =
+                io::recordingHeader(changed, request, simulation.settings(), "ode", "");
+            if (file == std::string("lacking.roverrec")) {
+                header.request.files.carried = std::make_shared<const project::CarriedFiles>();
+            }
+            while (!simulation.finished()) {
+                simulation.step();
+            }
+            std::filesystem::remove(path(file));
+            auto writer = io::RecordingWriter::create(path(file), header);
+            ASSERT_TRUE(writer);
+            (*writer)->add(io::HashMark{simulation.snapshot().step, simulation.report().stateHash});
+            ASSERT_TRUE((*writer)->finish(simulation.report()));
+        };
+        save("carried.roverrec", {{name, ground}});
+        const Outcome replay = roversim("replay '" + path("carried.roverrec") + "'");
+        EXPECT_EQ(replay.code, 0) << replay.err;
+        EXPECT_FALSE(std::filesystem::exists(hostile));
+        // Not even a good file at that very place is read.
+        save("lacking.roverrec", {{name, ground}});
+        write("planted.png", ground);
+        const Outcome lacking = roversim("replay '" + path("lacking.roverrec") + "'");
+        EXPECT_EQ(lacking.code, 1);
+        EXPECT_THAT(lacking.err, HasSubstr("lacks its file"));
+        std::filesystem::remove(hostile);
+    }
+}
+
+// A recording of a version that carried no files is run on the files in their old folder.
+TEST_F(ImportedGround, AnOldRecordingReadsItsFolder) {
+    using namespace simcore;
+    const auto project = io::loadProject(path("mine/projects/my.rover"));
+    ASSERT_TRUE(project);
+    run::RunRequest request;
+    request.scenario = "image";
+    request.duration = 0.1;
+    request.files.folder = path("mine/projects");
+    auto prepared = run::prepareRun(*project, request);
+    ASSERT_TRUE(prepared) << toString(prepared.problems());
+    run::Simulation simulation(std::move(prepared).value());
+    auto writer = io::RecordingWriter::create(
+        path("old.roverrec"),
+        io::recordingHeader(*project, request, simulation.settings(), "ode", ""));
+    ASSERT_TRUE(writer);
+    while (!simulation.finished()) {
+        simulation.step();
+    }
+    (*writer)->add(io::HashMark{simulation.snapshot().step, simulation.report().stateHash});
+    ASSERT_TRUE((*writer)->finish(simulation.report()));
+    EXPECT_EQ(roversim("replay '" + path("old.roverrec") + "'").code, 0);
+    std::filesystem::remove_all(path("mine"));
+    const Outcome gone = roversim("replay '" + path("old.roverrec") + "'");
+    EXPECT_EQ(gone.code, 1);
+    EXPECT_THAT(gone.err, HasSubstr("there is no file"));
+}
+
 // A recording that was cut short is run again as far as it goes.
 TEST_F(RecordedRun, ACutRecordingIsReplayedAsFarAsItGoes) {
     ASSERT_EQ(record().code, 0);

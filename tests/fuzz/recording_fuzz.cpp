@@ -69,6 +69,13 @@ void readAll(io::RecordingReader& reader) {
         require(frame || hasCritical(frame.problems()), "no frame without a reason");
         require(!frame || frame->bodies.size() == reader.header().size.bodies, "a pose a body");
     }
+    const auto files = reader.readFiles();
+    require(files || hasCritical(files.problems()), "no files without a reason");
+    if (files && files->carried) {
+        for (const auto& [name, bytes] : *files->carried) {
+            require(files->find(name) == &bytes, "a carried file is found by its name");
+        }
+    }
     for (const io::TimedCommand& command : reader.commands()) {
         require(command.step >= 0, "a command has a step");
     }

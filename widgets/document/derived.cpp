@@ -4,9 +4,10 @@
 
 namespace widgets {
 
-Derived derive(const simcore::project::Project& project, const std::filesystem::path& folder) {
+Derived derive(const simcore::project::Project& project,
+               const simcore::project::ProjectFiles& files) {
     Derived derived;
-    derived.problems = simcore::run::checkProject(project, folder);
+    derived.problems = simcore::run::checkProject(project, files);
     auto parameters = simcore::project::evaluateParameters(project.rover);
     if (!parameters) {
         return derived;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 
 #include "simcore/mobility/mobility.h"
 #include "simcore/project/project.h"
+#include "simcore/project/project_files.h"
 #include "simcore/project/resolve.h"
 
 namespace widgets {
@@ -18,7 +18,8 @@ struct Derived {
     simcore::mobility::Report built, relaxed;  ///< of the mechanism, when there is one
 };
 
-/// `folder` is where the terrain files of the project are looked for.
-Derived derive(const simcore::project::Project& project, const std::filesystem::path& folder = {});
+/// `files` is where the terrain files of the project are looked for.
+Derived derive(const simcore::project::Project& project,
+               const simcore::project::ProjectFiles& files = {});
 
 }  // namespace widgets

@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QUndoCommand>
+#include <filesystem>
 #include <utility>
 
 #include "simcore/io/project_file.h"
@@ -114,9 +115,9 @@ Problems Document::openCopy(const QString& file) {
 Problems Document::saveAs(const QString& file) {
     Problems problems = saveCopy(file);
     if (problems.empty()) {
-        const std::filesystem::path before = folder();
+        const auto before = files();
         file_ = QFileInfo(file).absoluteFilePath();
-        if (folder() != before) {
+        if (files() != before) {
             show(project_);  // terrain files may be found now, or no longer
         }
         undo_.setClean();
@@ -130,13 +131,20 @@ Problems Document::saveCopy(const QString& file) const {
     return simcore::io::saveProject(*project_, file.toStdString()).problems();
 }
 
+void Document::openProject(Project project, simcore::project::ProjectFiles files) {
+    start(std::move(project), {}, std::move(files));
+}
+
 void Document::recover(Project project, const QString& file) {
     start(std::move(project), file);
     undo_.resetClean();
 }
 
-std::filesystem::path Document::folder() const {
-    return std::filesystem::path(file_.toStdString()).parent_path();
+simcore::project::ProjectFiles Document::files() const {
+    return file_.isEmpty()
+               ? files_
+               : simcore::project::ProjectFiles(
+                     std::filesystem::path(file_.toStdString()).parent_path(), files_.carried);
 }
 
 QString Document::displayName() const {
@@ -145,15 +153,16 @@ QString Document::displayName() const {
 
 void Document::show(ProjectPtr project) {
     project_ = std::move(project);
-    derived_ = derive(*project_, folder());
+    derived_ = derive(*project_, files());
     emit changed();
 }
 
-void Document::start(Project project, const QString& file) {
+void Document::start(Project project, const QString& file, simcore::project::ProjectFiles files) {
     undo_.clear();
     undo_.setClean();
     endMerging();
     file_ = file;
+    files_ = std::move(files);
     show(std::make_shared<const Project>(std::move(project)));
     emit replaced();
     emit fileChanged();

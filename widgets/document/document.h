@@ -3,7 +3,6 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
-#include <filesystem>
 #include <memory>
 
 #include "widgets/document/derived.h"
@@ -42,14 +41,16 @@ class Document : public QObject {
     simcore::Problems saveAs(const QString& file);
     /// Writes a copy and changes nothing.
     simcore::Problems saveCopy(const QString& file) const;
+    /// Takes a project out of a recording: it has no file, and `files` may carry what it names.
+    void openProject(simcore::project::Project project, simcore::project::ProjectFiles files);
     /// Takes a project recovered from an autosaved copy: modified, belonging to `file`.
     void recover(simcore::project::Project project, const QString& file);
 
     /// Absolute path; empty when never saved.
     QString file() const { return file_; }
 
-    /// Folder of the file, that of the terrain files; empty when never saved.
-    std::filesystem::path folder() const;
+    /// Where the terrain files are: those that came with the project, and the folder of its file.
+    simcore::project::ProjectFiles files() const;
 
     /// File name, or "Untitled".
     QString displayName() const;
@@ -68,12 +69,14 @@ class Document : public QObject {
     friend class ProjectCommand;
     using ProjectPtr = std::shared_ptr<const simcore::project::Project>;
     void show(ProjectPtr project);
-    void start(simcore::project::Project project, const QString& file);
+    void start(simcore::project::Project project, const QString& file,
+               simcore::project::ProjectFiles files = {});
 
     ProjectPtr project_;
     Derived derived_;
     QUndoStack undo_;
     QString file_;
+    simcore::project::ProjectFiles files_;  ///< that came with the project
     int mergeRun_ = 0;
 };
 

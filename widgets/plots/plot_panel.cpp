@@ -455,10 +455,12 @@ void PlotPanel::Impl::updateCells() {
 void PlotPanel::Impl::updateHints() {
     const bool empty = session->recording().rows.size() < 2;
     for (std::size_t i = 0; i < kMaxPlots; ++i) {
-        plots.at(i)->setHint(empty && i == 0
-                                 ? PlotPanel::tr("Press Space to drive: every wheel's curve "
-                                                 "appears here")
-                                 : QString());
+        const QString hint = session->recorded() != nullptr
+                                 ? PlotPanel::tr("The recording ends before its first numbers")
+                                 : PlotPanel::tr(
+                                       "Press Space to drive:\nevery wheel's curve "
+                                       "appears here");
+        plots.at(i)->setHint(empty && i == 0 ? hint : QString());
     }
 }
 

@@ -2,21 +2,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace widgets {
 namespace {
 
-template <class T>
-void moveBehind(std::vector<T>& from, std::vector<T>& to) {
-    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
-    from.clear();
-}
-
 /// Drops every second entry; the first stays.
 template <class T>
 void halve(std::vector<T>& list) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < list.size(); i += 2) {
+    // The first is not moved onto itself, which would empty it.
+    std::size_t kept = 1;
+    for (std::size_t i = 2; i < list.size(); i += 2) {
         list[kept++] = std::move(list[i]);
     }
     list.resize(kept);
@@ -24,36 +20,56 @@ void halve(std::vector<T>& list) {
 
 }  // namespace
 
-RecordingStore::RecordingStore(std::size_t rowLimit, std::size_t frameLimit)
-    : rowLimit_(rowLimit),
-      frameLimit_(frameLimit) {}
+RecordingStore::RecordingStore(std::size_t rowLimit, std::size_t frameLimit) {
+    rowSieve_.limit = rowLimit;
+    frameSieve_.limit = frameLimit;
+}
 
-void RecordingStore::start(const simcore::mechanism::Mechanism& mechanism) {
+void RecordingStore::start(std::vector<simcore::run::Channel> channels) {
     clearData();
-    recording_.channels = simcore::run::makeChannels(mechanism);
+    recording_.channels = std::move(channels);
 }
 
 void RecordingStore::clearData() {
     recording_.rows.clear();
     recording_.frames.clear();
+    for (Sieve* sieve : {&rowSieve_, &frameSieve_}) {
+        sieve->stride = 1;
+        sieve->seen = 0;
+    }
+}
+
+template <class T>
+RecordingStore::Change RecordingStore::take(std::vector<T>& from, std::vector<T>& to,
+                                            Sieve& sieve) {
+    Change change = Change::None;
+    for (T& entry : from) {
+        if (sieve.seen++ % sieve.stride != 0) {
+            continue;
+        }
+        to.push_back(std::move(entry));
+        change = std::max(change, Change::Appended);
+        if (to.size() > sieve.limit) {
+            halve(to);
+            sieve.stride *= 2;
+            change = Change::Thinned;
+        }
+    }
+    from.clear();
+    return change;
 }
 
 RecordingStore::Change RecordingStore::drain(simcore::run::RunWorker& worker) {
     worker.drain(newRows_, newFrames_);
-    if (newRows_.empty() && newFrames_.empty()) {
-        return Change::None;
-    }
-    moveBehind(newRows_, recording_.rows);
-    moveBehind(newFrames_, recording_.frames);
-    Change change = Change::Appended;
-    while (recording_.rows.size() > rowLimit_) {
-        halve(recording_.rows);
-        change = Change::Thinned;
-    }
-    while (recording_.frames.size() > frameLimit_) {
-        halve(recording_.frames);
-    }
-    return change;
+    return append(newRows_, newFrames_);
+}
+
+RecordingStore::Change RecordingStore::append(
+    std::vector<std::vector<double>>& rows,
+    std::vector<std::shared_ptr<const simcore::run::Snapshot>>& frames) {
+    const Change change = take(rows, recording_.rows, rowSieve_);
+    const bool moreFrames = take(frames, recording_.frames, frameSieve_) != Change::None;
+    return change == Change::None && moreFrames ? Change::Appended : change;
 }
 
 int RecordingStore::indexNear(double time) const {

@@ -7,7 +7,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPainter>
 #include <QStandardItemModel>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <array>
@@ -62,6 +64,28 @@ QString outcome(const RunReport& report) {
     return report.stopDetail.empty() ? RunBar::tr("Stopped: %1").arg(numbers)
                                      : QString::fromStdString(report.stopDetail);
 }
+
+QString recordingText(const RecordedRun& run) {
+    const double end = run.last->time;
+    if (!run.complete) {
+        return RunBar::tr("Recording, incomplete: up to %1 s").arg(end, 0, 'f', 2);
+    }
+    return run.report.stopReason == StopReason::Running
+               ? RunBar::tr("Recording of the first %1 s of a run").arg(end, 0, 'f', 2)
+               : RunBar::tr("Recording: %1").arg(outcome(run.report));
+}
+
+/// A label whose text may be longer than its place: its beginning is shown.
+class ElidedLabel : public QLabel {
+  protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+        QPainter painter(this);
+        style()->drawItemText(
+            &painter, contentsRect(), static_cast<int>(alignment()), palette(), isEnabled(),
+            fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()),
+            foregroundRole());
+    }
+};
 
 QToolButton* transportButton(QAction* action) {
     auto* button = new QToolButton;
@@ -156,7 +180,7 @@ QWidget* RunBar::makeSettings() {
     speed_->setCurrentIndex(speed_->findData(session_->speedFactor()));
     speed_->setToolTip(tr("Playback speed; never changes the numbers (+ and - keys)"));
     add(tr("Playback"), speed_);
-    status_ = new QLabel;
+    status_ = new ElidedLabel;
     status_->setObjectName("runStatus");
     status_->setAccessibleName(tr("State of the run"));
     status_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -371,7 +395,8 @@ void RunBar::updateStatus() {
             showStatus(tr("Paused"));
             break;
         case RunSession::State::Finished:
-            showStatus(outcome(session_->report()));
+            showStatus(session_->recorded() != nullptr ? recordingText(*session_->recorded())
+                                                       : outcome(session_->report()));
             break;
     }
 }

@@ -1,8 +1,10 @@
 #include "widgets/session/run_session.h"
 
+#include <QStandardPaths>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "simcore/project/resolve.h"
 
@@ -18,6 +20,13 @@ namespace {
 
 constexpr int kPollPeriod_ms = 33;
 
+/// Of what can be made again: a disk, not the memory that a folder for temporary files often is.
+std::filesystem::path recordingFolder() {
+    return std::filesystem::path(
+               QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString()) /
+           "runs";
+}
+
 }  // namespace
 
 RunSession::RunSession(QObject* parent) : QObject(parent) {
@@ -31,14 +40,20 @@ RunSession::~RunSession() = default;
 Problems RunSession::prepare(const simcore::project::Project& project,
                              const simcore::run::RunRequest& request,
                              const std::string& projectFile) {
-    simcore::run::RunRequest located = request;
-    located.folder = std::filesystem::path(projectFile).parent_path();
-    auto run = simcore::run::prepareRun(project, located);
+    simcore::run::RunRequest carrying = request;
+    Problems problems = simcore::io::carryFiles(project, carrying);
+    if (hasCritical(problems)) {
+        return problems;
+    }
+    auto run = simcore::run::prepareRun(project, carrying);
     if (!run) {
         return run.problems();
     }
-    Problems problems = run.problems();
-    auto worker = std::make_unique<RunWorker>(std::move(run).value());
+    problems = run.problems();
+    auto recorder = std::make_unique<simcore::io::RunRecorder>(
+        recordingFolder(), simcore::io::recordingHeader(project, carrying, *run, {}, projectFile));
+    simcore::io::RunRecorder* const recording = recorder.get();
+    auto worker = std::make_unique<RunWorker>(std::move(run).value(), std::move(recorder));
     const simcore::run::RunReport report = worker->report();
     if (worker->state() == WorkerState::Finished && !report.stopDetail.empty()) {
         problems.push_back({Severity::Critical, "scenario " + request.scenario,
@@ -46,17 +61,25 @@ Problems RunSession::prepare(const simcore::project::Project& project,
                             "Check the rover's masses, joints and wheels."});
         return problems;
     }
-    adopt(std::move(worker), simcore::io::originOf(project, request, projectFile));
+    adopt(std::move(worker), recording, simcore::io::originOf(project, request, projectFile));
     return problems;
 }
 
 void RunSession::adopt(std::unique_ptr<RunWorker> worker, simcore::io::RecordingOrigin origin) {
+    adopt(std::move(worker), nullptr, std::move(origin));
+}
+
+void RunSession::adopt(std::unique_ptr<RunWorker> worker, simcore::io::RunRecorder* recorder,
+                       simcore::io::RecordingOrigin origin) {
     poll_.stop();
+    recorded_.reset();
     worker_ = std::move(worker);
+    recorder_ = recorder;
+    failureTold_ = false;
     origin_ = std::move(origin);
     live_ = worker_->latest();
     scrubbed_.reset();
-    store_.start(worker_->settings().mechanism);
+    store_.start(simcore::run::makeChannels(worker_->settings().mechanism));
     worker_->setSpeedFactor(speedFactor_);
     store_.drain(*worker_);
     const bool startsFinished = worker_->state() == WorkerState::Finished;
@@ -67,8 +90,26 @@ void RunSession::adopt(std::unique_ptr<RunWorker> worker, simcore::io::Recording
     emit snapshotChanged(*live_);
 }
 
+void RunSession::show(RecordedRun run) {
+    poll_.stop();
+    worker_.reset();
+    recorder_ = nullptr;
+    store_ = std::exchange(run.store, RecordingStore());
+    origin_ = run.origin;
+    live_ = run.last;
+    recorded_ = std::move(run);
+    scrubbed_.reset();
+    setStale(false);
+    state_ = State::Finished;
+    emit runChanged();
+    emit stateChanged(state_);
+    emit snapshotChanged(*live_);
+}
+
 void RunSession::clear() {
     poll_.stop();
+    recorded_.reset();
+    recorder_ = nullptr;
     worker_.reset();
     live_.reset();
     scrubbed_.reset();
@@ -124,7 +165,12 @@ void RunSession::reset() {
     if (!hasRun()) {
         return;
     }
+    if (!worker_) {
+        scrub(0.0);
+        return;
+    }
     poll_.stop();
+    failureTold_ = false;
     worker_->reset();
     store_.clearData();
     scrubbed_.reset();
@@ -209,11 +255,22 @@ double RunSession::realTimeFactor() const {
 }
 
 const simcore::run::ResolvedRun& RunSession::settings() const {
-    return worker_->settings();
+    return worker_ ? worker_->settings() : recorded_.value().settings;
 }
 
 simcore::run::RunReport RunSession::report() const {
-    return worker_ ? worker_->report() : simcore::run::RunReport{};
+    return worker_ ? worker_->report() : recorded_ ? recorded_->report : simcore::run::RunReport{};
+}
+
+simcore::Result<simcore::io::RunCopy> RunSession::copyRun() const {
+    if (recorder_ == nullptr) {
+        return Problem{Severity::Critical, "recording", "there is no run to save.",
+                       "Run a scenario first."};
+    }
+    std::optional<simcore::Result<simcore::io::RunCopy>> copy;
+    worker_->betweenSteps(
+        [&](const simcore::run::RunReport& report) { copy = recorder_->copy(report); });
+    return std::move(*copy);
 }
 
 simcore::Result<bool> RunSession::exportCsv(const QString& file) const {
@@ -242,6 +299,10 @@ void RunSession::poll() {
     }
     if (moved && isLive()) {
         emit snapshotChanged(*live_);
+    }
+    if (recorder_ != nullptr && recorder_->failed() && !failureTold_) {
+        failureTold_ = true;
+        emit recordingFailed(copyRun().problems());
     }
     switch (workerState) {
         case WorkerState::Playing:

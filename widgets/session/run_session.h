@@ -3,14 +3,18 @@
 #include <QObject>
 #include <QTimer>
 #include <memory>
+#include <optional>
 
 #include "simcore/io/csv.h"
+#include "simcore/io/run_recorder.h"
 #include "simcore/run/run_worker.h"
+#include "widgets/session/recorded_run.h"
 #include "widgets/session/recording_store.h"
 
 namespace widgets {
 
-/// The run the window shows: a RunWorker, what it recorded, and which instant is looked at.
+/// The run the window shows: a RunWorker and what it recorded, or a run out of a recording; and
+/// which instant is looked at.
 ///
 /// Lives on the GUI thread. Polls the worker 30 times a second; the worker knows nothing of Qt.
 /// The run works on a copy of the project: editing does not touch it, it only makes it *stale*.
@@ -25,19 +29,26 @@ class RunSession : public QObject {
     ~RunSession() override;
 
     /// Makes the run that `request` asks for, standing at its start, and drops the old one. With
-    /// critical problems the old run stays; all problems are returned (also warnings).
+    /// critical problems the old run stays; all problems are returned (also warnings). Everything
+    /// the run does is recorded into a private file.
+    /// @param projectFile  as the user knows it; only for people
     simcore::Problems prepare(const simcore::project::Project& project,
                               const simcore::run::RunRequest& request,
                               const std::string& projectFile = {});
     /// Takes over a worker made elsewhere, standing at its start.
     void adopt(std::unique_ptr<simcore::run::RunWorker> worker,
                simcore::io::RecordingOrigin origin);
+    /// Shows a run out of a recording, at its end, Finished; nothing is run.
+    void show(RecordedRun run);
     /// Back to Empty.
     void clear();
 
     State state() const { return state_; }
 
-    bool hasRun() const { return worker_ != nullptr; }
+    bool hasRun() const { return worker_ != nullptr || recorded_; }
+
+    /// The run on show if it is out of a recording, less its store; else null.
+    const RecordedRun* recorded() const { return recorded_ ? &*recorded_ : nullptr; }
 
     /// The project or the request changed after prepare(): what is shown is not what is drawn.
     bool isStale() const { return stale_; }
@@ -48,7 +59,8 @@ class RunSession : public QObject {
     void pause();
     void togglePlay();
     void stepOnce();
-    /// Back to the start of the same run; the recording is emptied.
+    /// Back to the start of the same run; its record is emptied. Of a run out of a recording, shows
+    /// the start.
     void reset();
     /// 1 = real time, 0 = as fast as possible; kept for later runs.
     void setSpeedFactor(double factor);
@@ -83,6 +95,9 @@ class RunSession : public QObject {
 
     const simcore::io::RecordingOrigin& origin() const { return origin_; }
 
+    /// The run so far, for saving. A problem when there is none, or its recording failed.
+    simcore::Result<simcore::io::RunCopy> copyRun() const;
+
     /// Writes the recording as CSV with its metadata beside it.
     simcore::Result<bool> exportCsv(const QString& file) const;
 
@@ -99,13 +114,20 @@ class RunSession : public QObject {
     void dataReplaced();
     void finished(const simcore::run::RunReport& report);
     void speedFactorChanged(double factor);
+    /// The run goes on, but it can no longer be saved.
+    void recordingFailed(const simcore::Problems& problems);
 
   private:
     void poll();
     void setState(State state);
     void show(std::shared_ptr<const simcore::run::Snapshot> frame);
+    void adopt(std::unique_ptr<simcore::run::RunWorker> worker, simcore::io::RunRecorder* recorder,
+               simcore::io::RecordingOrigin origin);
 
-    std::unique_ptr<simcore::run::RunWorker> worker_;
+    std::unique_ptr<simcore::run::RunWorker> worker_;  ///< null when empty or out of a recording
+    simcore::io::RunRecorder* recorder_ = nullptr;     ///< the worker's
+    bool failureTold_ = false;
+    std::optional<RecordedRun> recorded_;
     RecordingStore store_;
     simcore::io::RecordingOrigin origin_;
     std::shared_ptr<const simcore::run::Snapshot> live_;

@@ -128,7 +128,10 @@ bool FileCommands::saveAs() {
         return false;
     }
     remember(file);
-    emit message(tr("Saved %1").arg(file));
+    const auto carried = document_->files().carried;
+    emit message(carried && !carried->empty()
+                     ? tr("Saved %1; the files of its ground are in the recording only").arg(file)
+                     : tr("Saved %1").arg(file));
     return true;
 }
 

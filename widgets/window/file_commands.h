@@ -28,6 +28,8 @@ class FileCommands : public QObject {
     bool mayDiscard();
 
     QStringList recentFiles() const;
+    /// Puts a file first among the recent ones.
+    void remember(const QString& file);
     void forgetRecentFiles();
     /// Files of the shipped projects.
     QStringList exampleFiles() const;
@@ -36,6 +38,8 @@ class FileCommands : public QObject {
     void autosave();
     /// Offers what a program that ended badly left behind.
     void offerRecovery();
+    /// Tells of problems in a box.
+    void complain(const QString& title, const simcore::Problems& problems) const;
 
   signals:
     void recentFilesChanged();
@@ -43,8 +47,6 @@ class FileCommands : public QObject {
     void message(const QString& text);
 
   private:
-    void remember(const QString& file);
-    void complain(const QString& title, const simcore::Problems& problems) const;
     QString startFolder() const;
 
     Document* document_;

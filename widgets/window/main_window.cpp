@@ -33,6 +33,7 @@
 #include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
 #include "widgets/window/icons.h"
+#include "widgets/window/recording_commands.h"
 #include "widgets/window/scene_link.h"
 #include "widgets/window/theme.h"
 
@@ -71,7 +72,8 @@ MainWindow::MainWindow()
       session_(new RunSession(this)),
       scene_(std::make_shared<render::Scene>()),
       actions_(new ActionRegistry(this)),
-      files_(new FileCommands(document_, this)) {
+      files_(new FileCommands(document_, this)),
+      recordings_(new RecordingCommands(session_, files_, this)) {
     setObjectName("mainWindow");
     setAcceptDrops(true);
     setDockNestingEnabled(true);
@@ -230,6 +232,8 @@ void MainWindow::connectParts() {
     });
     connect(document_, &Document::modifiedChanged, this, &MainWindow::setWindowModified);
     connect(files_, &FileCommands::message, this, &MainWindow::tell);
+    connect(recordings_, &RecordingCommands::message, this, &MainWindow::tell);
+    connect(recordings_, &RecordingCommands::opened, this, &MainWindow::showRecording);
     connect(files_, &FileCommands::recentFilesChanged, this, &MainWindow::updateRecent);
 
     connect(tree_, &PartsTree::elementSelected, this, &MainWindow::selectElement);
@@ -272,6 +276,20 @@ void MainWindow::connectParts() {
         }
         link_->showDesign();
     });
+    const auto updateForRun = [this] {
+        const bool recorded = session_->recorded() != nullptr;
+        actions_->at("saveRecording")->setEnabled(session_->hasRun() && !recorded);
+        actions_->at("runAgain")->setEnabled(recorded);
+        updateTitle();
+    };
+    connect(session_, &RunSession::runChanged, this, updateForRun);
+    updateForRun();
+    connect(session_, &RunSession::recordingFailed, this,
+            [this](const simcore::Problems& problems) {
+                problems_->showMore(problems);
+                tell(tr("The run goes on, but it cannot be saved: %1")
+                         .arg(QString::fromStdString(problems.front().reason)));
+            });
     connect(session_, &RunSession::finished, this, [this](const simcore::run::RunReport& report) {
         tell(tr("Run finished after %1 s: state hash %2, friction violation %3 %, largest loop "
                 "error %4 mm")
@@ -304,7 +322,11 @@ void MainWindow::onProjectChanged() {
 }
 
 void MainWindow::updateTitle() {
-    setWindowTitle(tr("%1[*] - RoverStudio").arg(document_->displayName()));
+    const RecordedRun* recorded = session_->recorded();
+    setWindowTitle(tr("%1[*] - RoverStudio")
+                       .arg(recorded != nullptr
+                                ? QString::fromStdString(recorded->file.filename().string())
+                                : document_->displayName()));
     setWindowFilePath(document_->file());
     setWindowModified(document_->isModified());
 }
@@ -412,8 +434,10 @@ void MainWindow::setOverlay(bool render::Overlays::*overlay, bool on) {
 
 bool MainWindow::prepareRun() {
     files_->autosave();
-    const auto problems = session_->prepare(document_->project(), runBar_->request(),
-                                            document_->file().toStdString());
+    simcore::run::RunRequest request = runBar_->request();
+    request.files = document_->files();
+    const auto problems =
+        session_->prepare(document_->project(), request, document_->file().toStdString());
     if (simcore::hasCritical(problems)) {
         problems_->showMore(problems);
         problemsDock_->show();
@@ -430,18 +454,31 @@ bool MainWindow::playPause() {
             session_->pause();
             return true;
         case State::Finished:
-            if (!session_->isStale()) {
+            if (!session_->isStale() && session_->recorded() == nullptr) {
                 session_->reset();
             }
             break;
         default:
             break;
     }
-    if ((!session_->hasRun() || session_->isStale()) && !prepareRun()) {
+    const bool needsRun =
+        !session_->hasRun() || session_->isStale() || session_->recorded() != nullptr;
+    if (needsRun && !prepareRun()) {
         return false;
     }
     session_->play();
     return true;
+}
+
+void MainWindow::showRecording(const std::shared_ptr<RecordedRun>& run) {
+    document_->openProject(run->project, run->request.files);
+    runBar_->setScenario(QString::fromStdString(run->request.scenario));
+    session_->show(std::move(*run));
+}
+
+bool MainWindow::open(const QString& file) {
+    return RecordingCommands::isRecording(file) ? recordings_->openFile(file)
+                                                : files_->openFile(file);
 }
 
 void MainWindow::stepForward() {
@@ -495,13 +532,14 @@ void MainWindow::changeEvent(QEvent* event) {
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     const auto urls = event->mimeData()->urls();
-    if (urls.size() == 1 && urls.front().toLocalFile().endsWith(".rover")) {
+    const QString file = urls.size() == 1 ? urls.front().toLocalFile() : QString();
+    if (file.endsWith(".rover") || RecordingCommands::isRecording(file)) {
         event->acceptProposedAction();
     }
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    files_->openFile(event->mimeData()->urls().front().toLocalFile());
+    open(event->mimeData()->urls().front().toLocalFile());
 }
 
 void MainWindow::updateIcons() {

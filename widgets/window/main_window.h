@@ -27,6 +27,7 @@ class PartsTree;
 class PlotPanel;
 class ProblemsPanel;
 class PropertyPanel;
+class RecordingCommands;
 class RunBar;
 class SceneLink;
 
@@ -44,6 +45,8 @@ class MainWindow : public QMainWindow {
 
     FileCommands& files() { return *files_; }
 
+    RecordingCommands& recordings() { return *recordings_; }
+
     ActionRegistry& actions() { return *actions_; }
 
     RunBar& runBar() { return *runBar_; }
@@ -60,6 +63,9 @@ class MainWindow : public QMainWindow {
     /// Starts or pauses; makes a new run when there is none or it is of another design. False when
     /// it cannot run; the problems panel says why.
     bool playPause();
+    /// Opens a project or a recording, by its name; asks about unsaved changes first. False when it
+    /// was not opened; says why.
+    bool open(const QString& file);
     void setDark(bool dark);
     /// Window size, panels and theme as the user left them.
     void restoreLayout();
@@ -94,6 +100,7 @@ class MainWindow : public QMainWindow {
     void selectInMobility(const std::string& joint);
     void setOverlay(bool render::Overlays::*overlay, bool on);
     bool prepareRun();
+    void showRecording(const std::shared_ptr<RecordedRun>& run);
     void stepForward();
     void saveScreenshot();
     void showAbout();
@@ -105,6 +112,7 @@ class MainWindow : public QMainWindow {
     std::shared_ptr<render::Scene> scene_;
     ActionRegistry* actions_;
     FileCommands* files_;
+    RecordingCommands* recordings_;
     Viewport* viewport_ = nullptr;
     SceneLink* link_ = nullptr;
     ManualDrive* drive_ = nullptr;

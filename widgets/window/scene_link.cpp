@@ -81,6 +81,9 @@ void SceneLink::showRun(const simcore::run::Snapshot& snapshot) {
         scene_->setTerrain(run.terrain);
         terrainShown_ = false;
         showsRun_ = true;
+        if (session_->recorded() != nullptr) {
+            scene_->setTrail(session_->recording().frames);
+        }
     }
     scene_->setSnapshot(snapshot);
     redraw();
@@ -109,13 +112,12 @@ void SceneLink::showTerrain() {
         return;
     }
     if (terrainShown_ && scenario->terrain == terrainOf_.terrain &&
-        document_->folder() == terrainFolder_ &&
-        scenario->run.distance == terrainOf_.run.distance &&
+        document_->files() == terrainFiles_ && scenario->run.distance == terrainOf_.run.distance &&
         scenario->controller.speed == terrainOf_.controller.speed &&
         parametersFor(*scenario, parameters) == terrainParameters_) {
         return;
     }
-    auto terrain = simcore::run::makeScenarioTerrain(*scenario, parameters, document_->folder());
+    auto terrain = simcore::run::makeScenarioTerrain(*scenario, parameters, document_->files());
     if (!terrain) {
         emit problems(terrain.problems());
         scene_->setTerrain(nullptr);
@@ -125,7 +127,7 @@ void SceneLink::showTerrain() {
     scene_->setTerrain(
         std::make_shared<const simcore::terrain::Terrain>(std::move(terrain).value()));
     terrainOf_ = *scenario;
-    terrainFolder_ = document_->folder();
+    terrainFiles_ = document_->files();
     terrainParameters_ = parametersFor(*scenario, parameters);
     terrainShown_ = true;
 }

@@ -61,7 +61,7 @@ class SceneLink : public QObject {
     // What the design's terrain was made from.
     simcore::project::Scenario terrainOf_;
     simcore::project::ParameterValues terrainParameters_;
-    std::filesystem::path terrainFolder_;
+    simcore::project::ProjectFiles terrainFiles_;
     bool terrainShown_ = false;
 };
 

@@ -15,6 +15,7 @@
 #include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
 #include "widgets/window/main_window.h"
+#include "widgets/window/recording_commands.h"
 
 namespace widgets {
 
@@ -44,6 +45,11 @@ void MainWindow::makeFileActions() {
                   [this] { files_->save(); });
     actions_->add("saveAs", tr("Save &as..."), {QKeySequence("Ctrl+Shift+S")},
                   tr("Save under another name"), [this] { files_->saveAs(); });
+    actions_->add("openRecording", tr("Open recordin&g..."), {QKeySequence("Ctrl+Shift+O")},
+                  tr("Look at a recorded run"), [this] { recordings_->open(); });
+    actions_->add("saveRecording", tr("Save recor&ding..."), {QKeySequence("Ctrl+Shift+R")},
+                  tr("Save the run so far, with all that is needed to make it again"),
+                  [this] { recordings_->save(); });
     actions_->add("exportCsv", tr("Run as &CSV..."), {QKeySequence("Ctrl+E")},
                   tr("Write the recorded run as a table"), [this] { plots_->exportCsv(); });
     actions_->add("exportPlots", tr("&Plots as picture..."), {},
@@ -143,6 +149,9 @@ void MainWindow::makeRunActions() {
     actions_->add("reset", tr("&Reset"), {QKeySequence(Qt::Key_Backspace), QKeySequence("Ctrl+R")},
                   tr("Back to the start of the run; the design stays (Backspace)"),
                   [this] { session_->reset(); });
+    actions_->add("runAgain", tr("Run again and &compare"), {QKeySequence("Ctrl+Shift+E")},
+                  tr("Run the opened recording again: is it the same to the last bit?"),
+                  [this] { recordings_->runAgain(); });
     actions_->add("faster", tr("&Faster"), {QKeySequence("+"), QKeySequence("=")},
                   tr("Faster playback"), [this] { runBar_->changeSpeed(1); });
     actions_->add("slower", tr("S&lower"), {QKeySequence("-")}, tr("Slower playback"),
@@ -177,7 +186,7 @@ void MainWindow::makeMenus() {
         }
     };
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    fill(file, {"new", "open"});
+    fill(file, {"new", "open", "openRecording"});
     recentMenu_ = file->addMenu(tr("Open &recent"));
     QMenu* examples = file->addMenu(tr("Open &example"));
     for (const QString& example : files_->exampleFiles()) {
@@ -192,7 +201,7 @@ void MainWindow::makeMenus() {
     }
     examples->setToolTipsVisible(true);
     file->addSeparator();
-    fill(file, {"save", "saveAs", ""});
+    fill(file, {"save", "saveAs", "saveRecording", ""});
     QMenu* exports = file->addMenu(tr("&Export"));
     fill(exports, {"exportCsv", "exportPlots", "screenshot"});
     fill(file, {"", "quit"});
@@ -206,8 +215,8 @@ void MainWindow::makeMenus() {
     QMenu* theme = view->addMenu(tr("T&heme"));
     fill(theme, {"themeDark", "themeLight"});
     fill(view, {"resetLayout", "fullScreen"});
-    fill(menuBar()->addMenu(tr("&Run")), {"playPause", "step", "stepBack", "live", "reset", "",
-                                          "faster", "slower", "", "showDesign"});
+    fill(menuBar()->addMenu(tr("&Run")), {"playPause", "step", "stepBack", "live", "reset",
+                                          "runAgain", "", "faster", "slower", "", "showDesign"});
     fill(menuBar()->addMenu(tr("&Analyze")), {"showMobility", "showProblems"});
     fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "system", "", "about"});
 }
@@ -217,7 +226,7 @@ void MainWindow::updateRecent() {
     for (const QString& file : files_->recentFiles()) {
         QAction* action = recentMenu_->addAction(QFileInfo(file).fileName());
         action->setToolTip(file);
-        connect(action, &QAction::triggered, this, [this, file] { files_->openFile(file); });
+        connect(action, &QAction::triggered, this, [this, file] { open(file); });
     }
     recentMenu_->setToolTipsVisible(true);
     recentMenu_->setEnabled(!recentMenu_->isEmpty());

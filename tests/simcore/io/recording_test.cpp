@@ -14,6 +14,7 @@
 
 #include "simcore/base/random.h"
 #include "simcore/io/recording_chunks.h"
+#include "simcore/io/recording_header.h"
 #include "simcore/run/sampler.h"
 #include "tests/support/fake_run.h"
 
@@ -55,7 +56,7 @@ class RecordingTest : public ::testing::Test {
         header.request.controller = project::ControllerKind::Manual;
         header.request.friction = 0.1 + 0.2;
         header.request.seed = -3;
-        header.request.folder = "/rovers/mine";
+        header.request.files.folder = "/rovers/mine";
         header.request.distance = 1.7;
         header.request.terrainHeight = 0.08;
         header.request.step = 0.001;
@@ -245,6 +246,84 @@ TEST_F(RecordingTest, AChunkOfAKindToComeIsPassedOver) {
     ASSERT_TRUE(reader);
     EXPECT_TRUE((*reader)->complete());
     EXPECT_EQ((*reader)->rowCount(), rows.size());
+}
+
+/// A header whose ground is made from these files.
+RecordingHeader withFiles(RecordingHeader header, project::CarriedFiles files) {
+    header.request.files.carried = std::make_shared<const project::CarriedFiles>(std::move(files));
+    return header;
+}
+
+TEST_F(RecordingTest, FilesOfTheGroundComeBackByTheirNames) {
+    Random random(5);
+    std::string large(2 * kFilePart + 12345, '\0');
+    for (char& c : large) {
+        c = static_cast<char>(random.uniform(0.0, 256.0));
+    }
+    const project::CarriedFiles files{
+        {"../grounds/large.png", large}, {"/absolute.asc", "ncols 2\n"}, {"empty.obj", ""}};
+    header = withFiles(header, files);
+    recorded();
+    auto reader = RecordingReader::open(file);
+    ASSERT_TRUE(reader) << toString(reader.problems());
+    const auto read = (*reader)->readFiles();
+    ASSERT_TRUE(read) << toString(read.problems());
+    ASSERT_TRUE(read->carried);
+    EXPECT_TRUE(*read->carried == files);
+    // Their folder is not asked: it is another machine's.
+    EXPECT_TRUE(read->folder.empty());
+    EXPECT_EQ((*reader)->rowCount(), rows.size());
+}
+
+// Recordings of versions that carried no files: the folder is all there is.
+TEST_F(RecordingTest, WithoutAListOfFilesTheFolderIsAsked) {
+    recorded();
+    auto reader = RecordingReader::open(file);
+    ASSERT_TRUE(reader);
+    const auto read = (*reader)->readFiles();
+    ASSERT_TRUE(read);
+    EXPECT_FALSE(read->carried);
+    EXPECT_EQ(read->folder, "/rovers/mine");
+}
+
+// Whatever of a carried file is lost or changed, it is not read as ground.
+TEST_F(RecordingTest, DamagedFilesAreNoticed) {
+    const RecordingHeader carrying =
+        withFiles(header, {{"a.asc", "ncols 2"}, {"b.asc", "nrows 2"}});
+    const std::string begin =
+        std::string(kRecordingMagic) + packText(kHeaderChunk, formatHeader(carrying));
+    const std::string a = packFilePart("a.asc", 0, "ncols 2");
+    const std::string b = packFilePart("b.asc", 0, "nrows 2");
+    const auto read = [&](const std::string& chunks) {
+        auto reader = openBytes(begin + chunks);
+        EXPECT_TRUE(reader) << toString(reader.problems());
+        return (*reader)->readFiles();
+    };
+    ASSERT_TRUE(read(a + b));
+    ASSERT_TRUE(read(packFilePart("a.asc", 0, "nco") + b + packFilePart("a.asc", 3, "ls 2")));
+    EXPECT_THAT(toString(read(a).problems()), HasSubstr("'b.asc' there are 0 of 7 bytes"));
+    std::string flipped = a;
+    flipped.back() = static_cast<char>(flipped.back() ^ 1);
+    EXPECT_THAT(toString(read(flipped + b).problems()), HasSubstr("damaged at byte"));
+    for (const std::string& wrong :
+         {packFilePart("a.asc", 1, "cols 2"), packFilePart("a.asc", 0, "ncols 22"),
+          packFilePart("c.asc", 0, "other"), a + a, packText(kFileChunk, "short"),
+          packText(kFileChunk, std::string("\xff\xff\xff\x7f") + "and no name as long")}) {
+        const auto files = read(wrong + b);
+        EXPECT_FALSE(files);
+        EXPECT_FALSE(toString(files.problems()).empty());
+    }
+}
+
+TEST_F(RecordingTest, AListOfTooLargeFilesIsRefused) {
+    const std::string text = formatHeader(withFiles(header, {{"a.asc", "ncols 2"}}));
+    for (const char* bytes : {"\"bytes\":300000000", "\"bytes\":-1", "\"bytes\":1e99"}) {
+        std::string changed = text;
+        const std::string was = "\"bytes\":7";
+        changed.replace(changed.find(was), was.size(), bytes);
+        EXPECT_FALSE(openBytes(std::string(kRecordingMagic) + packText(kHeaderChunk, changed)))
+            << bytes;
+    }
 }
 
 TEST_F(RecordingTest, AnUnfinishedRecordingIsNotOverwritten) {

@@ -1,0 +1,206 @@
+#include "simcore/io/run_recorder.h"
+
+#include <fcntl.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "simcore/io/atomic_file.h"
+#include "simcore/io/json_format.h"
+#include "simcore/io/recording_header.h"
+#include "simcore/io/recording_tables.h"
+#include "simcore/io/run_report_json.h"
+
+namespace simcore::io {
+
+class PrivateFile {
+  public:
+    /// errno says why it is not open.
+    explicit PrivateFile(const std::filesystem::path& folder)
+        : descriptor_(::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600)) {
+        if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
+            // A file system that has no files without names.
+            std::string name = (folder / "run.XXXXXX").string();
+            descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+            if (descriptor_ >= 0) {
+                ::unlink(name.c_str());
+            }
+        }
+    }
+
+    ~PrivateFile() {
+        if (descriptor_ >= 0) {
+            ::close(descriptor_);
+        }
+    }
+
+    PrivateFile(const PrivateFile&) = delete;
+    PrivateFile& operator=(const PrivateFile&) = delete;
+
+    bool isOpen() const { return descriptor_ >= 0; }
+
+    bool append(std::string_view bytes) { return writeAll(descriptor_, bytes); }
+
+    void empty() {
+        if (::ftruncate(descriptor_, 0) != 0) {
+            return;  // the space comes back with the file's end
+        }
+    }
+
+    /// Space left on its disk [byte]; nothing when that is not known.
+    std::optional<std::uint64_t> spaceLeft() const {
+        struct statvfs disk {};
+
+        return ::fstatvfs(descriptor_, &disk) == 0
+                   ? std::optional(std::uint64_t{disk.f_bavail} * disk.f_frsize)
+                   : std::nullopt;
+    }
+
+    /// All of `count` bytes; false when they are not there.
+    bool read(std::uint64_t offset, std::size_t count, std::string& bytes) const {
+        bytes.resize(count);
+        for (std::size_t have = 0; have < count;) {
+            const ssize_t got = ::pread(descriptor_, bytes.data() + have, count - have,
+                                        static_cast<off_t>(offset + have));
+            if (got == 0 || (got < 0 && errno != EINTR)) {
+                return false;
+            }
+            have += static_cast<std::size_t>(std::max<ssize_t>(got, 0));
+        }
+        return true;
+    }
+
+  private:
+    int descriptor_;
+};
+
+Result<bool> RunCopy::save(const std::filesystem::path& file,
+                           const std::function<bool(double)>& goOn) const {
+    constexpr std::size_t kPiece = 1U << 20U;
+    AtomicFile out(file);
+    out.write(kRecordingMagic);
+    out.write(packText(kHeaderChunk, formatHeader(header_)));
+    writeFileParts(header_.request.files, [&](std::string_view chunk) { out.write(chunk); });
+    std::string piece;
+    for (std::uint64_t at = 0; at < size_; at += piece.size()) {
+        if (goOn && !goOn(static_cast<double>(at) / static_cast<double>(size_))) {
+            return false;
+        }
+        if (!tables_->read(at, std::min<std::uint64_t>(kPiece, size_ - at), piece)) {
+            return Problem{Severity::Critical, file.string(),
+                           "the run's recording is no longer there.",
+                           "Free some space on the disk and run again."};
+        }
+        out.write(piece);
+    }
+    out.write(rest_);
+    return out.commit();
+}
+
+struct RunRecorder::Impl {
+    std::filesystem::path folder;
+    RecordingHeader header;
+    std::uint64_t keepFree = 0;
+    std::shared_ptr<PrivateFile> file;
+    std::uint64_t size = 0;
+    std::unique_ptr<RecordingTables> tables;
+    std::optional<Problem> failure;
+};
+
+RunRecorder::RunRecorder(std::filesystem::path folder, RecordingHeader header,
+                         std::uint64_t keepFree)
+    : impl_(std::make_unique<Impl>()) {
+    impl_->folder = std::move(folder);
+    impl_->header = std::move(header);
+    impl_->keepFree = keepFree;
+}
+
+RunRecorder::~RunRecorder() = default;
+
+void RunRecorder::restart() {
+    Impl& s = *impl_;
+    const auto giveUp = [this](const std::string& why) {
+        impl_->failure =
+            Problem{Severity::Critical, "recording of the run", why + "; it was given up.",
+                    "Free some space in " + impl_->folder.string() + " and run again."};
+        if (impl_->file && impl_->file->isOpen()) {
+            impl_->file->empty();
+        }
+        failed_ = true;
+    };
+    s.failure.reset();
+    failed_ = false;
+    s.size = 0;
+    std::error_code error;
+    std::filesystem::create_directories(s.folder, error);
+    s.file = std::make_shared<PrivateFile>(s.folder);
+    if (!s.file->isOpen()) {
+        giveUp(fmt::format("no file can be made ({})", std::strerror(errno)));
+    }
+    s.tables = std::make_unique<RecordingTables>([this, giveUp](std::string_view chunk) {
+        Impl& now = *impl_;
+        if (now.failure) {
+            return;
+        }
+        const auto left = now.file->spaceLeft();
+        if (left && *left < now.keepFree + chunk.size()) {
+            giveUp(fmt::format("less than {} MiB of the disk are free", now.keepFree >> 20U));
+        } else if (!now.file->append(chunk)) {
+            giveUp(fmt::format("it cannot be written ({})", std::strerror(errno)));
+        } else {
+            now.size += chunk.size();
+        }
+    });
+}
+
+void RunRecorder::add(const std::vector<std::vector<double>>& rows,
+                      const std::vector<std::shared_ptr<const run::Snapshot>>& frames) {
+    if (!failed_) {
+        impl_->tables->add(rows, frames);
+    }
+}
+
+void RunRecorder::add(long step, const run::ManualCommand& command) {
+    if (!failed_) {
+        impl_->tables->add(TimedCommand{step, command});
+    }
+}
+
+bool RunRecorder::wantsMark() const {
+    return !failed_ && impl_->tables->wantsMark();
+}
+
+void RunRecorder::mark(long step, const std::string& stateHash) {
+    if (!failed_) {
+        impl_->tables->add(HashMark{step, stateHash});
+    }
+}
+
+Result<RunCopy> RunRecorder::copy(const run::RunReport& report) const {
+    if (impl_->failure) {
+        return *impl_->failure;
+    }
+    if (!impl_->tables) {
+        return Problem{Severity::Critical, "recording of the run", "the run never began.",
+                       "Check the rover's masses, joints and wheels."};
+    }
+    RunCopy copy;
+    copy.header_ = impl_->header;
+    copy.header_.engine = report.engine;
+    copy.tables_ = impl_->file;
+    copy.size_ = impl_->size;
+    copy.rest_ = impl_->tables->pending();
+    if (!report.stateHash.empty()) {
+        copy.rest_ += packTable(kMarksChunk, {toNumbers(HashMark{report.steps, report.stateHash})});
+    }
+    copy.rest_ += packText(kReportChunk, formatJson(toJson(report)));
+    return copy;
+}
+
+}  // namespace simcore::io

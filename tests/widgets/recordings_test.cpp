@@ -1,0 +1,447 @@
+// Recordings in the real window: saved during and after a run, opened, looked at, run again.
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QThread>
+#include <QTimer>
+#include <QToolButton>
+#include <fstream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+
+#include "simcore/io/project_file.h"
+#include "simcore/io/recording.h"
+#include "simcore/io/replay.h"
+#include "simcore/run/sampler.h"
+#include "tests/support/studio.h"
+#include "widgets/plots/plot_panel.h"
+#include "widgets/session/run_bar.h"
+#include "widgets/session/timeline_slider.h"
+#include "widgets/window/background.h"
+#include "widgets/window/recording_commands.h"
+
+using simcore::io::RecordingReader;
+using testing::HasSubstr;
+using testsupport::projectFile;
+using testsupport::waitUntil;
+using State = widgets::RunSession::State;
+
+namespace {
+
+/// Calls `act` with the next modal window of this kind.
+template <class Window, class Act>
+void onNext(Act act) {
+    auto* retry = new QTimer(QApplication::instance());
+    QObject::connect(retry, &QTimer::timeout, [retry, act] {
+        if (auto* window = qobject_cast<Window*>(QApplication::activeModalWidget())) {
+            retry->deleteLater();
+            retry->stop();
+            act(window);
+        }
+    });
+    retry->start(30);
+}
+
+/// Answers the next message box with a real click.
+void answerNextBox(QMessageBox::StandardButton button, QString* text = nullptr) {
+    onNext<QMessageBox>([button, text](QMessageBox* box) {
+        if (text != nullptr) {
+            *text = box->text() + "\n" + box->informativeText();
+        }
+        QTest::mouseClick(box->button(button), Qt::LeftButton);
+    });
+}
+
+/// Gives the next file dialog a name and clicks on its button.
+void chooseFile(const QString& file) {
+    onNext<QFileDialog>([file](QFileDialog* dialog) {
+        auto* line = dialog->findChild<QLineEdit*>("fileNameEdit");
+        ASSERT_NE(line, nullptr);
+        line->setText(file);
+        auto* buttons = dialog->findChild<QDialogButtonBox*>("buttonBox");
+        ASSERT_NE(buttons, nullptr);
+        for (QAbstractButton* button : buttons->buttons()) {
+            if (buttons->buttonRole(button) == QDialogButtonBox::AcceptRole) {
+                QTest::mouseClick(button, Qt::LeftButton);
+            }
+        }
+    });
+}
+
+std::string bytesOf(const QString& file) {
+    std::ifstream in(file.toStdString(), std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class RecordingsTest : public testsupport::StudioTest {
+  protected:
+    RecordingsTest() : file(folder.filePath("run.roverrec")) {
+        window->runBar().setScenario("flat");
+        session().setSpeedFactor(0.0);
+    }
+
+    widgets::RunSession& session() { return window->session(); }
+
+    std::string status() { return find<QLabel>("runStatus")->text().toStdString(); }
+
+    void driveFor(double seconds) {
+        press(Qt::Key_Space);
+        ASSERT_TRUE(waitUntil([&] { return session().endTime() >= seconds; }));
+        press(Qt::Key_Space);
+        ASSERT_TRUE(waitUntil([&] { return session().state() == State::Paused; }));
+    }
+
+    /// A recording as `roversim` makes it, of a project and a request.
+    void record(const simcore::project::Project& project, simcore::run::RunRequest request) {
+        using namespace simcore;
+        ASSERT_TRUE(io::carryFiles(project, request).empty());
+        auto prepared = run::prepareRun(project, request);
+        ASSERT_TRUE(prepared) << toString(prepared.problems());
+        run::Simulation simulation(std::move(prepared).value());
+        auto writer = io::RecordingWriter::create(
+            file.toStdString(),
+            io::recordingHeader(project, request, simulation.settings(), "ode", "mine.rover"));
+        ASSERT_TRUE(writer) << toString(writer.problems());
+        run::Sampler sampler(simulation.settings().mechanism);
+        sampler.start(simulation.snapshot());
+        std::vector<std::vector<double>> rows;
+        std::vector<std::shared_ptr<const run::Snapshot>> frames;
+        const auto pass = [&] {
+            sampler.moveTo(rows, frames);
+            (*writer)->add(rows, frames);
+            rows.clear();
+            frames.clear();
+        };
+        while (!simulation.finished()) {
+            simulation.step();
+            sampler.take(simulation.snapshot());
+            pass();
+        }
+        sampler.finish(simulation.snapshot());
+        pass();
+        (*writer)->add(io::HashMark{simulation.snapshot().step, simulation.report().stateHash});
+        ASSERT_TRUE((*writer)->finish(simulation.report()));
+        hash = simulation.report().stateHash;
+    }
+
+    void recordSolero(double duration = 1.5) {
+        simcore::run::RunRequest request;
+        request.scenario = "rough-3d";
+        request.duration = duration;
+        request.friction = 0.55;
+        request.seed = 4;
+        request.assignments = {{"wheel_radius", "8 cm"}};
+        record(window->document().project(), request);
+    }
+
+    simcore::io::ReplayResult replayOf(const QString& recording) {
+        auto reader = RecordingReader::open(recording.toStdString());
+        EXPECT_TRUE(reader && reader.problems().empty()) << toString(reader.problems());
+        auto replayed = simcore::io::replay(**reader);
+        EXPECT_TRUE(replayed) << toString(replayed.problems());
+        return *replayed;
+    }
+
+    QTemporaryDir folder;
+    QString file;
+    std::string hash;
+};
+
+}  // namespace
+
+TEST_F(RecordingsTest, APausedRunIsSavedByItsKeyAndIsTheSameRunAgain) {
+    EXPECT_FALSE(window->actions().at("saveRecording")->isEnabled());
+    driveFor(1.0);
+    const std::string now = session().report().stateHash;
+    chooseFile(folder.filePath("run"));  // the ending is added
+    press(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(QFile::exists(file));
+    const auto again = replayOf(file);
+    EXPECT_TRUE(again.same());
+    EXPECT_EQ(again.found, now);
+    EXPECT_EQ(again.steps, session().report().steps);
+    EXPECT_THAT(window->files().recentFiles(), testing::Contains(file));
+    // The run goes on after it.
+    const double before = session().endTime();
+    press(Qt::Key_Space);
+    EXPECT_TRUE(waitUntil([&] { return session().endTime() > before + 0.2; }));
+}
+
+TEST_F(RecordingsTest, ARunIsSavedWhileItPlays) {
+    press(Qt::Key_Space);
+    ASSERT_TRUE(waitUntil([&] { return session().endTime() > 0.5; }));
+    ASSERT_EQ(session().state(), State::Playing);
+    ASSERT_TRUE(window->recordings().saveTo(file));
+    EXPECT_TRUE(replayOf(file).same());
+    EXPECT_GT(replayOf(file).steps, 200);
+}
+
+// With the keys of a person at their steps.
+TEST_F(RecordingsTest, ADriveByHandIsTheSameRunAgain) {
+    auto* controller = find<QComboBox>("controller");
+    controller->setFocus();
+    QTest::keyClick(controller, Qt::Key_End);
+    press(Qt::Key_Space);
+    ASSERT_EQ(session().state(), State::Playing);
+    window->viewport()->setFocus();
+    QTest::keyPress(window->viewport(), Qt::Key_W);
+    ASSERT_TRUE(waitUntil([&] { return session().shown()->speed > 0.05; }));
+    QTest::keyPress(window->viewport(), Qt::Key_A);
+    const double turned = session().endTime();
+    ASSERT_TRUE(waitUntil([&] { return session().endTime() > turned + 0.5; }));
+    QTest::keyRelease(window->viewport(), Qt::Key_W);
+    QTest::keyRelease(window->viewport(), Qt::Key_A);
+    session().pause();
+    ASSERT_TRUE(window->recordings().saveTo(file));
+    const auto reader = RecordingReader::open(file.toStdString());
+    EXPECT_GE((*reader)->commands().size(), 3U);
+    EXPECT_TRUE(replayOf(file).same());
+}
+
+TEST_F(RecordingsTest, AFailedSaveIsExplained) {
+    driveFor(0.2);
+    QString said;
+    answerNextBox(QMessageBox::Ok, &said);
+    EXPECT_FALSE(window->recordings().saveTo("/proc/none/run.roverrec"));
+    EXPECT_THAT(said.toStdString(), HasSubstr("/proc/none/run.roverrec"));
+    EXPECT_EQ(session().state(), State::Paused);
+}
+
+// Closing with a run that was not saved does not ask, and leaves nothing behind.
+TEST_F(RecordingsTest, NothingIsLeftOfARunThatWasNotSaved) {
+    driveFor(0.5);
+    const QDir cache(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/runs");
+    EXPECT_TRUE(cache.exists());
+    EXPECT_TRUE(cache.isEmpty());
+    window->close();
+    EXPECT_FALSE(window->isVisible());
+}
+
+TEST_F(RecordingsTest, AnOpenedRecordingIsShownAsAfterItsRun) {
+    recordSolero();
+    chooseFile(file);
+    press(Qt::Key_O, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_NE(session().recorded(), nullptr);
+    EXPECT_EQ(session().state(), State::Finished);
+    EXPECT_FALSE(session().isStale());
+    EXPECT_NEAR(session().endTime(), 1.5, 0.01);
+    EXPECT_THAT(status(), HasSubstr("Recording: Time is up"));
+    EXPECT_THAT(window->windowTitle().toStdString(), HasSubstr("run.roverrec"));
+    // The rover as recorded, in a project without a file.
+    EXPECT_TRUE(window->document().file().isEmpty());
+    EXPECT_FALSE(window->document().isModified());
+    EXPECT_DOUBLE_EQ(parameterValue("wheel_radius"), 0.08);
+    EXPECT_EQ(window->runBar().scenario(), "rough-3d");
+    EXPECT_FALSE(window->runBar().request().friction.has_value());
+    // 3-D view, with the whole way behind it.
+    const auto* end = session().shown();
+    EXPECT_LT((window->scene().bodyPose(0).position - end->bodies[0].position).norm(), 1e-9);
+    EXPECT_GT(window->scene().trailLength(), 5);
+    EXPECT_TRUE(waitUntil([&] { return window->plots().hint().isEmpty(); }));
+    EXPECT_EQ(session().recording().rows.size(), 151U);
+    // Time line and keys look back, and nothing is run.
+    auto* line = find<widgets::TimelineSlider>("timeline");
+    QTest::mouseClick(line, Qt::LeftButton, {}, QPoint(line->width() / 2, line->height() / 2));
+    EXPECT_NEAR(session().shownTime(), 0.75, 0.1);
+    const double middle = session().shownTime();
+    window->viewport()->setFocus();
+    QTest::keyClick(window->viewport(), Qt::Key_Left);
+    EXPECT_NEAR(session().shownTime(), middle - 0.02, 1e-6);
+    press(Qt::Key_Backspace);
+    EXPECT_EQ(session().shownTime(), 0.0);
+    press(Qt::Key_End, Qt::ControlModifier);
+    EXPECT_TRUE(session().isLive());
+    QTest::keyClick(window->viewport(), Qt::Key_Right);
+    EXPECT_NE(session().recorded(), nullptr);
+    EXPECT_EQ(session().state(), State::Finished);
+    // The table of it.
+    const QString csv = folder.filePath("run.csv");
+    const auto written = session().exportCsv(csv);
+    ASSERT_TRUE(written) << toString(written.problems());
+    EXPECT_THAT(bytesOf(folder.filePath("run.json")), HasSubstr(hash));
+}
+
+// Play makes a new run of the same: the request is in the project now.
+TEST_F(RecordingsTest, PlayMakesANewRunOfTheRecordedOne) {
+    recordSolero(0.6);
+    ASSERT_TRUE(window->open(file));
+    press(Qt::Key_Space);
+    EXPECT_EQ(session().recorded(), nullptr);
+    ASSERT_TRUE(waitUntil([&] { return session().state() == State::Finished; }));
+    EXPECT_EQ(session().report().stateHash, hash);
+    // And that can be saved in its turn.
+    const QString copy = folder.filePath("copy.roverrec");
+    ASSERT_TRUE(window->recordings().saveTo(copy));
+    EXPECT_EQ(replayOf(copy).found, hash);
+}
+
+TEST_F(RecordingsTest, AnEditOfAnOpenedRecordingShowsTheDesign) {
+    recordSolero(0.4);
+    ASSERT_TRUE(window->open(file));
+    type(parameter("wheel_radius"), "75");
+    EXPECT_TRUE(session().isStale());
+    press(Qt::Key_Space);
+    EXPECT_EQ(session().recorded(), nullptr);
+    EXPECT_DOUBLE_EQ(session().settings().mechanism.wheels.front().radius, 0.075);
+}
+
+TEST_F(RecordingsTest, RunAgainSaysWhetherItIsTheSame) {
+    EXPECT_FALSE(window->actions().at("runAgain")->isEnabled());
+    recordSolero(0.6);
+    ASSERT_TRUE(window->open(file));
+    QString said;
+    answerNextBox(QMessageBox::Ok, &said);
+    press(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_THAT(said.toStdString(), HasSubstr("The same run"));
+    EXPECT_THAT(said.toStdString(), HasSubstr(hash));
+    EXPECT_NE(session().recorded(), nullptr);
+}
+
+// The ground comes from the recording: its files are gone.
+TEST_F(RecordingsTest, TheGroundOfAnOpenedRecordingNeedsNoFile) {
+    auto project = simcore::io::loadProject(projectFile("terrains").toStdString());
+    ASSERT_TRUE(project);
+    const QDir mine(folder.path());
+    ASSERT_TRUE(mine.mkdir("mine"));
+    const QString ground = folder.filePath("mine/ground.png");
+    ASSERT_TRUE(QFile::copy(QString(ROVER_SOURCE_DIR) + "/assets/terrains/dunes.png", ground));
+    auto changed = *project;
+    for (auto& scenario : changed.scenarios) {
+        if (scenario.name == "image") {
+            scenario.terrain.file = "ground.png";
+        }
+    }
+    simcore::run::RunRequest request;
+    request.scenario = "image";
+    request.duration = 0.4;
+    request.files.folder = folder.filePath("mine").toStdString();
+    record(changed, request);
+    ASSERT_TRUE(QFile::remove(ground));
+    ASSERT_TRUE(window->open(file));
+    EXPECT_NE(session().settings().terrain, nullptr);
+    EXPECT_FALSE(hasCritical(window->document().derived().problems))
+        << toString(window->document().derived().problems);
+    press(Qt::Key_Space);
+    ASSERT_TRUE(waitUntil([&] { return session().state() == State::Finished; }));
+    EXPECT_EQ(session().report().stateHash, hash);
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+              (QStringList{"mine", "run.roverrec"}));
+}
+
+// A recording without its ground still shows what was driven.
+TEST_F(RecordingsTest, WithoutItsGroundARecordingIsShownAndItSaysSo) {
+    auto project = simcore::io::loadProject(projectFile("terrains").toStdString());
+    simcore::run::RunRequest request;
+    request.scenario = "image";
+    request.duration = 0.4;
+    request.files.folder = QFileInfo(projectFile("terrains")).absolutePath().toStdString();
+    record(*project, request);
+    std::string bytes = bytesOf(file);
+    const std::size_t part = bytes.find("FILE");
+    ASSERT_NE(part, std::string::npos);
+    bytes[part + 60] = static_cast<char>(bytes[part + 60] ^ 1);
+    std::ofstream(file.toStdString(), std::ios::binary) << bytes;
+    QString said;
+    answerNextBox(QMessageBox::Ok, &said);
+    ASSERT_TRUE(window->open(file));
+    EXPECT_THAT(said.toStdString(), HasSubstr("the ground cannot be shown"));
+    EXPECT_NEAR(session().endTime(), 0.4, 0.01);
+}
+
+TEST_F(RecordingsTest, ACutRecordingOpensUpToWhereItIsWholeAndSaysSo) {
+    recordSolero(4.0);
+    const std::string bytes = bytesOf(file);
+    const QString cut = folder.filePath("cut.roverrec.part");
+    std::ofstream(cut.toStdString(), std::ios::binary) << bytes.substr(0, bytes.size() / 2);
+    QString said;
+    answerNextBox(QMessageBox::Ok, &said);
+    ASSERT_TRUE(window->open(cut));
+    EXPECT_THAT(said.toStdString(), HasSubstr("interrupted or is damaged"));
+    EXPECT_THAT(status(), HasSubstr("incomplete: up to"));
+    EXPECT_GT(session().endTime(), 1.0);
+    EXPECT_LT(session().endTime(), 3.5);
+}
+
+TEST_F(RecordingsTest, WhatIsNoRecordingIsExplainedAndEverythingStays) {
+    driveFor(0.2);
+    std::ofstream(file.toStdString()) << "no recording";
+    QString said;
+    answerNextBox(QMessageBox::Ok, &said);
+    EXPECT_FALSE(window->open(file));
+    EXPECT_THAT(said.toStdString(), HasSubstr("not a recording"));
+    EXPECT_TRUE(session().hasRun());
+    EXPECT_EQ(window->document().file(), projectFile("solero"));
+    // Unsaved changes are asked after first.
+    recordSolero(0.2);
+    type(parameter("wheel_radius"), "90");
+    answerNextBox(QMessageBox::Cancel);
+    EXPECT_FALSE(window->open(file));
+    EXPECT_DOUBLE_EQ(parameterValue("wheel_radius"), 0.09);
+}
+
+// Longer than memory is to hold: kept whole, evenly at a coarser resolution, with its very end.
+TEST_F(RecordingsTest, ALongRecordingIsThinnedWhileItIsRead) {
+    recordSolero(3.0);
+    const auto loaded =
+        widgets::loadRecording(file.toStdString(), {}, widgets::RecordingStore(100, 30));
+    ASSERT_TRUE(loaded) << toString(loaded.problems());
+    const auto& rows = (*loaded)->store.recording().rows;
+    EXPECT_LE(rows.size(), 100U);
+    EXPECT_GE(rows.size(), 50U);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        ASSERT_NEAR(rows[i][0] - rows[i - 1][0], 0.04, 1e-9);
+    }
+    EXPECT_LE((*loaded)->store.recording().frames.size(), 30U);
+    EXPECT_NEAR((*loaded)->last->time, 3.0, 1e-9);
+    // Reading may be stopped.
+    const auto stopped = widgets::loadRecording(file.toStdString(), [](double) { return false; });
+    ASSERT_TRUE(stopped);
+    EXPECT_EQ(*stopped, nullptr);
+}
+
+// A window that is busy shows how far it is, takes no other input, and can be told to stop.
+TEST_F(RecordingsTest, LongWorkShowsItsProgressAndCanBeStopped) {
+    bool shown = false;
+    onNext<QProgressDialog>([&](QProgressDialog* dialog) {
+        shown = true;
+        EXPECT_EQ(dialog->labelText(), "Working");
+        auto* cancel = dialog->findChild<QPushButton*>();
+        ASSERT_NE(cancel, nullptr);
+        QTest::mouseClick(cancel, Qt::LeftButton);
+    });
+    bool stopped = false;
+    widgets::workInBackground(window.get(), "Working", [&](const widgets::GoOn& goOn) {
+        EXPECT_NE(QThread::currentThread(), QApplication::instance()->thread());
+        for (int i = 0; i < 2000 && !stopped; ++i) {
+            stopped = !goOn(i / 2000.0);
+            QThread::msleep(10);
+        }
+    });
+    EXPECT_TRUE(shown);
+    EXPECT_TRUE(stopped);
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+    const auto fail = [](const widgets::GoOn&) { throw std::runtime_error("why"); };
+    EXPECT_THROW(widgets::workInBackground(window.get(), "Failing", fail), std::runtime_error);
+}
+
+TEST_F(RecordingsTest, ARecordingMayBeDroppedOnTheWindow) {
+    recordSolero(0.4);
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file)});
+    QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(window.get(), &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(window.get(), &drop);
+    EXPECT_NE(session().recorded(), nullptr);
+}
