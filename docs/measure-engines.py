@@ -117,12 +117,15 @@ def convergence():
 
 
 def critical_friction():
-    """Friction that a step needs, to 0.005."""
+    """Friction that a step needs, to 0.005. Shorter steps are looked for near the longest one's."""
     heading("height [m]", *(f"{step} ms" for step in STEPS))
     for height in ("0.05", "0.08", "0.10"):
-        found = [ask("critical-friction", "solero", "--scenario", "step", "--height", height,
-                     "--distance", "1.55", "--low", "0.3", "--high", "0.9", "--dt", seconds)
-                 for seconds in STEPS.values()]
+        low, high = 0.3, 0.9
+        found = []
+        for seconds in STEPS.values():
+            found.append(ask("critical-friction", "solero", "--scenario", "step", "--height", height,
+                             "--distance", "1.55", "--low", f"{low:.4f}", "--high", f"{high:.4f}", "--dt", seconds))
+            low, high = found[0]["fails"] - 0.03, found[0]["completes"] + 0.03
         row(height, *(f"{each['fails']:.3f}–{each['completes']:.3f}" for each in found))
 
 

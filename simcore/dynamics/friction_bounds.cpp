@@ -10,7 +10,7 @@ namespace {
 // A contact of the last step is the same one when it is on the same disc and this near [m].
 constexpr double kSameContact = 0.03;
 // Agreement asked of limits and normal forces: relative, and absolute [N].
-constexpr double kTolerance = 0.05;
+constexpr double kTolerance = 0.02;
 constexpr double kToleranceForce = 0.02;
 // Below this share of its limit a tangential force gives the box no direction.
 constexpr double kDirected = 0.3;
