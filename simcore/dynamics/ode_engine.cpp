@@ -20,15 +20,16 @@ struct BodyState {
 };
 
 constexpr std::size_t kNumbersPerBody = 13;
-/// Compliance of friction [m/(N s)]: what a wheel creeps when it should stick.
-constexpr double kFrictionCompliance = 1e-9;
+/// Compliance of friction [m/(N s)]: what a wheel creeps when it should stick. With much less, only
+/// rounding tells how wheels that work against each other share a load.
+constexpr double kFrictionCompliance = 1e-7;
 /// Share of a contact's depth that is pushed out in one step: soft, else every edge throws the
 /// rover.
 constexpr double kContactErrorReduction = 0.2;
 /// Solves per step at most: the friction bounds must agree with the normal forces of this step.
 constexpr int kMaxPasses = 6;
 /// Repetitions of a solve that ODE gave up, and by how much, relatively, they change its friction
-/// limits: far below the 5 % to which limits are iterated, far above rounding (assumed).
+/// limits: far below the 2 % to which limits are iterated, far above rounding (assumed).
 constexpr int kMaxRepetitions = 4;
 constexpr double kRepetitionChange = 1e-5;
 

@@ -259,7 +259,7 @@ terrain::Terrain obliqueWaves(double side) {
 }  // namespace
 
 // A rover that is not the same left and right, on such ground, and the mirror image of both: the
-// second run is the mirror image of the first, as exactly as friction is iterated (to 5 % of a
+// second run is the mirror image of the first, as exactly as friction is iterated (to 2 % of a
 // limit).
 TEST_P(MechanismConformanceTest, MirroredRoverMakesTheMirroredRun) {
     Mechanism rover = mechanismOf("solero");

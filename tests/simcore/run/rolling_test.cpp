@@ -238,7 +238,7 @@ TEST_P(SameGroundTest, PlaneIsFeltAsAPlane) {
         for (std::size_t i = 0; i < plane.steps.size(); ++i) {
             const Felt& felt = triangles.steps[i];
             const Felt& expected = plane.steps[i];
-            // Rounding decides which way friction is iterated, to 5 %, when the brakes are released
+            // Rounding decides which way friction is iterated, to 2 %, when the brakes are released
             // on the rise: a few hundredths of a per mille of the loads stay of that.
             ASSERT_NEAR(felt.front, expected.front, 1e-3 * plane.weight) << "step " << i;
             ASSERT_NEAR(felt.rear, expected.rear, 1e-3 * plane.weight) << "step " << i;
