@@ -47,12 +47,6 @@ class PrivateFile {
 
     bool append(std::string_view bytes) { return writeAll(descriptor_, bytes); }
 
-    void empty() {
-        if (::ftruncate(descriptor_, 0) != 0) {
-            return;  // the space comes back with the file's end
-        }
-    }
-
     /// Space left on its disk [byte]; nothing when that is not known.
     std::optional<std::uint64_t> spaceLeft() const {
         struct statvfs disk {};
@@ -129,9 +123,7 @@ void RunRecorder::restart() {
         impl_->failure =
             Problem{Severity::Critical, "recording of the run", why + "; it was given up.",
                     "Free some space in " + impl_->folder.string() + " and run again."};
-        if (impl_->file && impl_->file->isOpen()) {
-            impl_->file->empty();
-        }
+        impl_->file.reset();  // a copy that is being saved may still hold it
         failed_ = true;
     };
     s.failure.reset();
@@ -177,7 +169,7 @@ bool RunRecorder::wantsMark() const {
 }
 
 void RunRecorder::mark(long step, const std::string& stateHash) {
-    if (!failed_) {
+    if (!failed_ && !stateHash.empty()) {  // a failed simulation has none
         impl_->tables->add(HashMark{step, stateHash});
     }
 }

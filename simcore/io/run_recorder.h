@@ -35,8 +35,8 @@ class RunCopy {
 };
 
 /// Records whatever a worker runs into a private file in `folder`, so that the run can be saved at
-/// any time. A recording that fails is given up, and gives its space back; the run goes on. Why so:
-/// docs/decisions/0015.
+/// any time. A recording that fails is given up, and gives its space back with the last of its
+/// copies; the run goes on. Why so: docs/decisions/0015.
 ///
 /// All but failed() on the worker's thread.
 class RunRecorder final : public run::RunSink {

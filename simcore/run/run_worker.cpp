@@ -272,13 +272,13 @@ void RunWorker::Impl::restart() {
             stepper = factory(run);  // after a failure nothing of the old one is trusted
         }
         failure.clear();
+        if (sink) {
+            sink->restart();  // before anything of the new run, should that fail
+        }
         stepper->setManualCommand(manual);
         sampler.start(stepper->snapshot());
-        if (sink) {
-            sink->restart();
-            if (manual != ManualCommand{}) {
-                sink->add(0, manual);
-            }
+        if (sink && manual != ManualCommand{}) {
+            sink->add(0, manual);
         }
         meter.restart(stepper->snapshot().time);
         nextState = stepper->finished() ? WorkerState::Finished : WorkerState::Paused;
