@@ -1,21 +1,16 @@
 // Recordings in the real window: saved during and after a run, opened, looked at, run again.
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QLabel>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QThread>
-#include <QTimer>
 #include <QToolButton>
 #include <fstream>
-#include <iterator>
 
 #include <gmock/gmock.h>
 
@@ -23,6 +18,7 @@
 #include "simcore/io/recording.h"
 #include "simcore/io/replay.h"
 #include "simcore/run/sampler.h"
+#include "tests/support/dialogs.h"
 #include "tests/support/studio.h"
 #include "widgets/plots/plot_panel.h"
 #include "widgets/session/run_bar.h"
@@ -32,56 +28,15 @@
 
 using simcore::io::RecordingReader;
 using testing::HasSubstr;
+using testsupport::answerNextBox;
+using testsupport::bytesOf;
+using testsupport::chooseFile;
+using testsupport::onNext;
 using testsupport::projectFile;
 using testsupport::waitUntil;
 using State = widgets::RunSession::State;
 
 namespace {
-
-/// Calls `act` with the next modal window of this kind.
-template <class Window, class Act>
-void onNext(Act act) {
-    auto* retry = new QTimer(QApplication::instance());
-    QObject::connect(retry, &QTimer::timeout, [retry, act] {
-        if (auto* window = qobject_cast<Window*>(QApplication::activeModalWidget())) {
-            retry->deleteLater();
-            retry->stop();
-            act(window);
-        }
-    });
-    retry->start(30);
-}
-
-/// Answers the next message box with a real click.
-void answerNextBox(QMessageBox::StandardButton button, QString* text = nullptr) {
-    onNext<QMessageBox>([button, text](QMessageBox* box) {
-        if (text != nullptr) {
-            *text = box->text() + "\n" + box->informativeText();
-        }
-        QTest::mouseClick(box->button(button), Qt::LeftButton);
-    });
-}
-
-/// Gives the next file dialog a name and clicks on its button.
-void chooseFile(const QString& file) {
-    onNext<QFileDialog>([file](QFileDialog* dialog) {
-        auto* line = dialog->findChild<QLineEdit*>("fileNameEdit");
-        ASSERT_NE(line, nullptr);
-        line->setText(file);
-        auto* buttons = dialog->findChild<QDialogButtonBox*>("buttonBox");
-        ASSERT_NE(buttons, nullptr);
-        for (QAbstractButton* button : buttons->buttons()) {
-            if (buttons->buttonRole(button) == QDialogButtonBox::AcceptRole) {
-                QTest::mouseClick(button, Qt::LeftButton);
-            }
-        }
-    });
-}
-
-std::string bytesOf(const QString& file) {
-    std::ifstream in(file.toStdString(), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 class RecordingsTest : public testsupport::StudioTest {
   protected:
@@ -206,6 +161,35 @@ TEST_F(RecordingsTest, ADriveByHandIsTheSameRunAgain) {
     const auto reader = RecordingReader::open(file.toStdString());
     EXPECT_GE((*reader)->commands().size(), 3U);
     EXPECT_TRUE(replayOf(file).same());
+}
+
+// The ending is added after the dialog, which asked about another name.
+TEST_F(RecordingsTest, NothingIsReplacedUnasked) {
+    driveFor(0.2);
+    std::ofstream(file.toStdString()) << "precious";
+    QString said;
+    answerNextBox(QMessageBox::No, &said);
+    chooseFile(folder.filePath("run"));
+    window->recordings().save();
+    EXPECT_THAT(said.toStdString(), HasSubstr("run.roverrec"));
+    EXPECT_EQ(bytesOf(file), "precious");
+    answerNextBox(QMessageBox::Yes);
+    chooseFile(folder.filePath("run"));
+    window->recordings().save();
+    EXPECT_TRUE(replayOf(file).same());
+    // Nor is what stands beside a table.
+    const QString beside = folder.filePath("table.json");
+    std::ofstream(beside.toStdString()) << "precious";
+    answerNextBox(QMessageBox::No, &said);
+    chooseFile(folder.filePath("table.csv"));
+    window->plots().exportCsv();
+    EXPECT_THAT(said.toStdString(), HasSubstr("table.json"));
+    EXPECT_EQ(bytesOf(beside), "precious");
+    EXPECT_FALSE(QFile::exists(folder.filePath("table.csv")));
+    answerNextBox(QMessageBox::Yes);
+    chooseFile(folder.filePath("table.csv"));
+    window->plots().exportCsv();
+    EXPECT_THAT(bytesOf(beside), HasSubstr("state_hash"));
 }
 
 TEST_F(RecordingsTest, AFailedSaveIsExplained) {

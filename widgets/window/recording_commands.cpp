@@ -10,6 +10,7 @@
 
 #include "simcore/base/version.h"
 #include "simcore/io/replay.h"
+#include "widgets/session/may_replace.h"
 #include "widgets/window/background.h"
 #include "widgets/window/file_commands.h"
 
@@ -100,11 +101,19 @@ void RecordingCommands::save() {
     QFileDialog dialog(window_, tr("Save recording"), startFolder(), tr("Recordings (*.roverrec)"));
     dialog.setObjectName("saveRecordingDialog");
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix("roverrec");
     dialog.selectFile(name + ".roverrec");
-    if (dialog.exec() == QDialog::Accepted) {
-        saveCopy(copy, dialog.selectedFiles().front());
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
     }
+    QString file = dialog.selectedFiles().front();
+    if (QFileInfo(file).suffix().isEmpty()) {
+        // Not by the dialog: one of the system may add it after asking about the file.
+        file += ".roverrec";
+        if (!mayReplace(window_, file)) {
+            return;
+        }
+    }
+    saveCopy(copy, file);
 }
 
 bool RecordingCommands::saveTo(const QString& file) {
