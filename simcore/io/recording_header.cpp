@@ -20,7 +20,6 @@ using ReadJson = nlohmann::json;
 
 constexpr const char* kSchema = "roverstudio-recording-1";
 // Bounds of what a reader takes; far beyond any rover.
-constexpr std::size_t kMostParts = 10000;
 constexpr int kDeepest = 32;
 constexpr std::size_t kMostFiles = 1000;
 constexpr std::size_t kLongestName = 4096;
@@ -127,25 +126,6 @@ run::Channel channelFrom(const ReadJson& json) {
     return channel;
 }
 
-/// A parser's answer takes memory by the level; no header is deep.
-bool tooDeep(const std::string& text) {
-    int depth = 0;
-    bool quoted = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quoted && c == '\\') {
-            ++i;
-        } else if (c == '"') {
-            quoted = !quoted;
-        } else if (!quoted && (c == '[' || c == '{') && ++depth > kDeepest) {
-            return true;
-        } else if (!quoted && (c == ']' || c == '}')) {
-            --depth;
-        }
-    }
-    return false;
-}
-
 std::size_t partsFrom(const ReadJson& json, const char* key) {
     const auto parts = json.at(key).get<std::size_t>();
     if (parts > kMostParts) {
@@ -211,6 +191,24 @@ ParsedHeader fromJson(const ReadJson& json) {
 }
 
 }  // namespace
+
+bool tooDeep(const std::string& text) {
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted && c == '\\') {
+            ++i;
+        } else if (c == '"') {
+            quoted = !quoted;
+        } else if (!quoted && (c == '[' || c == '{') && ++depth > kDeepest) {
+            return true;
+        } else if (!quoted && (c == ']' || c == '}')) {
+            --depth;
+        }
+    }
+    return false;
+}
 
 Problems carryFiles(const project::Project& project, run::RunRequest& request) {
     const auto scenario = run::findScenario(project, request.scenario);

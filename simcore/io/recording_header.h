@@ -4,6 +4,13 @@
 
 namespace simcore::io {
 
+/// Most parts of a kind that a recording has: far beyond any rover.
+inline constexpr std::size_t kMostParts = 10000;
+
+/// Whether a JSON text is nested deeper than any of a recording is: a parser's answer takes memory
+/// by the level, and writing it out the stack.
+bool tooDeep(const std::string& text);
+
 std::string formatHeader(const RecordingHeader& header);
 
 /// A file that the recording carries.

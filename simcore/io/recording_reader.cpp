@@ -123,8 +123,8 @@ bool RecordingReader::Impl::take(const Place& place) {
             return false;
         }
         const auto text = unpackText(place.head, stored);
-        report = text.value_or("");
-        complete = text.has_value();
+        complete = text && !tooDeep(*text);
+        report = complete ? *text : "";
         return complete;
     }
     return true;  // a kind of chunk this version does not know is passed over

@@ -237,6 +237,26 @@ TEST_F(RecordingTest, WhatIsNoRecordingIsRefused) {
     EXPECT_FALSE(RecordingReader::open(folder / "missing.roverrec"));
 }
 
+// Writing it out again would take the stack.
+TEST_F(RecordingTest, AReportThatIsNestedTooDeeplyIsNone) {
+    const std::string begin =
+        std::string(kRecordingMagic) + packText(kHeaderChunk, formatHeader(header));
+    for (const std::string& text : {std::string(1000000, '['), "{\"dt\":" + std::string(33, '{')}) {
+        const auto reader = openBytes(begin + packText(kReportChunk, text));
+        ASSERT_TRUE(reader) << toString(reader.problems());
+        EXPECT_FALSE((*reader)->complete());
+        EXPECT_TRUE((*reader)->reportText().empty());
+    }
+    std::string wheels = "{\"wheels\":[";
+    for (int i = 0; i < 20000; ++i) {
+        wheels += "{},";
+    }
+    wheels += "{}]}";
+    const auto reader = openBytes(begin + packText(kReportChunk, wheels));
+    ASSERT_TRUE(reader);
+    EXPECT_EQ((*reader)->report().wheels.size(), kMostParts);
+}
+
 TEST_F(RecordingTest, AChunkOfAKindToComeIsPassedOver) {
     std::string bytes = recorded();
     const auto head = readHead(std::string_view(bytes).substr(16, kChunkHeadSize));
