@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <string_view>
+
 #include "simcore/io/recording.h"
 
 namespace simcore::io {
@@ -12,6 +15,11 @@ inline constexpr std::size_t kMostParts = 10000;
 bool tooDeep(const std::string& text);
 
 std::string formatHeader(const RecordingHeader& header);
+
+/// Hands out all that comes before the tables: what no reader would take is a problem instead.
+/// False when `write` said no.
+Result<bool> writeBeginning(const RecordingHeader& header,
+                            const std::function<bool(std::string_view)>& write);
 
 /// A file that the recording carries.
 struct ListedFile {

@@ -76,22 +76,47 @@ class PrivateFile {
 
 Result<bool> RunCopy::save(const std::filesystem::path& file,
                            const std::function<bool(double)>& goOn) const {
+    try {
+        return write(file, goOn);
+    } catch (const std::exception& error) {
+        return Problem{Severity::Critical, file.string(),
+                       fmt::format("the recording cannot be written ({}).", error.what()),
+                       "Close other programs if there is no memory left."};
+    }
+}
+
+Result<bool> RunCopy::write(const std::filesystem::path& file,
+                            const std::function<bool(double)>& goOn) const {
     constexpr std::size_t kPiece = 1U << 20U;
+    std::uint64_t total = size_, done = 0;
+    if (const auto& carried = header_.request.files.carried) {
+        for (const auto& [name, bytes] : *carried) {
+            total += bytes.size();
+        }
+    }
     AtomicFile out(file);
-    out.write(kRecordingMagic);
-    out.write(packText(kHeaderChunk, formatHeader(header_)));
-    writeFileParts(header_.request.files, [&](std::string_view chunk) { out.write(chunk); });
-    std::string piece;
-    for (std::uint64_t at = 0; at < size_; at += piece.size()) {
-        if (goOn && !goOn(static_cast<double>(at) / static_cast<double>(size_))) {
+    const auto pass = [&](std::string_view bytes) {
+        if (goOn && !goOn(std::min(1.0, static_cast<double>(done) / static_cast<double>(total)))) {
             return false;
         }
+        out.write(bytes);
+        done += bytes.size();
+        return true;
+    };
+    const auto begun = writeBeginning(header_, pass);
+    if (!begun || !*begun) {
+        return begun;
+    }
+    std::string piece;
+    for (std::uint64_t at = 0; at < size_; at += piece.size()) {
         if (!tables_->read(at, std::min<std::uint64_t>(kPiece, size_ - at), piece)) {
             return Problem{Severity::Critical, file.string(),
                            "the run's recording is no longer there.",
                            "Free some space on the disk and run again."};
         }
-        out.write(piece);
+        if (!pass(piece)) {
+            return false;
+        }
     }
     out.write(rest_);
     return out.commit();

@@ -27,6 +27,9 @@ class RunCopy {
                       const std::function<bool(double)>& goOn = {}) const;
 
   private:
+    Result<bool> write(const std::filesystem::path& file,
+                       const std::function<bool(double)>& goOn) const;
+
     friend class RunRecorder;
     RecordingHeader header_;
     std::shared_ptr<const PrivateFile> tables_;

@@ -322,6 +322,18 @@ TEST_F(RunRecorderTest, AFailedSaveChangesNothing) {
     const auto stopped = made->save(file, [](double) { return false; });
     ASSERT_TRUE(stopped);
     EXPECT_FALSE(*stopped);
+    // Within the files of the ground, too.
+    header.request.files.carried = std::make_shared<const project::CarriedFiles>(
+        project::CarriedFiles{{"ground.png", std::string(20U << 20U, '\0')}});
+    start(1.0);
+    int asked = 0;
+    const auto stoppedInFiles = copy()->save(file, [&](double) { return ++asked < 5; });
+    ASSERT_TRUE(stoppedInFiles);
+    EXPECT_FALSE(*stoppedInFiles);
+    EXPECT_EQ(asked, 5);
+    header.projectText = std::string(10U << 20U, ' ');
+    start(1.0);
+    EXPECT_THAT(toString(copy()->save(file).problems()), HasSubstr("the project's text is longer"));
     EXPECT_EQ(fs::file_size(file), 3U);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2);  // file and cache
 }
