@@ -16,6 +16,8 @@
 
 #include "simcore/io/project_file.h"
 #include "simcore/io/recording.h"
+#include "simcore/io/recording_chunks.h"
+#include "simcore/io/recording_header.h"
 #include "simcore/io/replay.h"
 #include "simcore/run/sampler.h"
 #include "tests/support/dialogs.h"
@@ -97,6 +99,35 @@ class RecordingsTest : public testsupport::StudioTest {
         request.seed = 4;
         request.assignments = {{"wheel_radius", "8 cm"}};
         record(window->document().project(), request);
+    }
+
+    /// Writes the recording anew, each chunk as `change` gives it.
+    template <class Change>
+    void repack(Change change) {
+        using namespace simcore::io;
+        const std::string old = bytesOf(file);
+        std::string bytes(kRecordingMagic);
+        for (std::size_t at = kRecordingMagic.size(); at < old.size();) {
+            const auto head = readHead(std::string_view(old).substr(at, kChunkHeadSize));
+            ASSERT_TRUE(head);
+            bytes += change(*head, old.substr(at, kChunkHeadSize + head->stored));
+            at += kChunkHeadSize + head->stored;
+        }
+        std::ofstream(file.toStdString(), std::ios::binary) << bytes;
+    }
+
+    /// The same for the rows of a table.
+    template <class Change>
+    void repackTable(const simcore::io::ChunkTag& tag, Change change) {
+        using namespace simcore::io;
+        repack([&](const ChunkHead& head, const std::string& chunk) {
+            if (head.tag != tag) {
+                return chunk;
+            }
+            Table table = unpackTable(head, chunk.substr(kChunkHeadSize)).value();
+            change(table);
+            return packTable(tag, table);
+        });
     }
 
     simcore::io::ReplayResult replayOf(const QString& recording) {
@@ -289,6 +320,42 @@ TEST_F(RecordingsTest, RunAgainSaysWhetherItIsTheSame) {
     EXPECT_THAT(said.toStdString(), HasSubstr("The same run"));
     EXPECT_THAT(said.toStdString(), HasSubstr(hash));
     EXPECT_NE(session().recorded(), nullptr);
+    repackTable(simcore::io::kMarksChunk, [](simcore::io::Table& marks) {
+        marks.back()[2] = marks.back()[2] == 0.0 ? 1.0 : 0.0;
+    });
+    ASSERT_TRUE(window->open(file));
+    answerNextBox(QMessageBox::Ok, &said);
+    window->recordings().runAgain();
+    EXPECT_THAT(said.toStdString(), HasSubstr("Another run"));
+    EXPECT_THAT(said.toStdString(), HasSubstr(hash.substr(0, 8)));
+    EXPECT_THAT(said.toStdString(), HasSubstr(hash + " came out"));
+}
+
+// Its numbers would take any memory.
+TEST_F(RecordingsTest, MoreNumbersThanItsRoverHasAreRefused) {
+    recordSolero(0.4);
+    const std::string good = bytesOf(file);
+    const auto change = [&](const auto& how) {
+        std::ofstream(file.toStdString(), std::ios::binary) << good;
+        auto header = (*RecordingReader::open(file.toStdString()))->header();
+        how(header);
+        repack([&](const simcore::io::ChunkHead& head, const std::string& chunk) {
+            return head.tag == simcore::io::kHeaderChunk
+                       ? simcore::io::packText(head.tag, simcore::io::formatHeader(header))
+                       : chunk;
+        });
+        return widgets::loadRecording(file.toStdString());
+    };
+    using Header = simcore::io::RecordingHeader;
+    EXPECT_TRUE(change([](const Header&) {}));
+    for (const auto& refused :
+         {change([](Header& header) { header.size.joints = 9000; }), change([](Header& header) {
+              const auto last = header.channels.back();
+              header.channels.resize(5 * header.channels.size(), last);
+          })}) {
+        ASSERT_FALSE(refused);
+        EXPECT_THAT(toString(refused.problems()), HasSubstr("of another rover"));
+    }
 }
 
 // The ground comes from the recording: its files are gone.
@@ -391,6 +458,63 @@ TEST_F(RecordingsTest, ALongRecordingIsThinnedWhileItIsRead) {
     const auto stopped = widgets::loadRecording(file.toStdString(), [](double) { return false; });
     ASSERT_TRUE(stopped);
     EXPECT_EQ(*stopped, nullptr);
+    // Also among many frames without rows: an interrupted recording may end with them.
+    repackTable(simcore::io::kFramesChunk, [](simcore::io::Table& frames) {
+        frames.insert(frames.end(), 5000, simcore::io::Table::value_type(frames.back()));
+    });
+    const auto callsUntil = [&](int most) {
+        int asked = 0;
+        const auto read =
+            widgets::loadRecording(file.toStdString(), [&](double) { return ++asked < most; });
+        EXPECT_EQ(read && *read == nullptr, asked == most);
+        return asked;
+    };
+    const int all = callsUntil(1000000);
+    EXPECT_GE(all, 10);
+    for (int most = 1; most <= all; ++most) {
+        EXPECT_EQ(callsUntil(most), most);
+    }
+}
+
+// A run is not refused because its recording is.
+TEST_F(RecordingsTest, GroundThatIsTooLargeToBeCarriedIsDrivenOn) {
+    auto project = simcore::io::loadProject(projectFile("terrains").toStdString());
+    ASSERT_TRUE(project);
+    auto changed = *project;
+    simcore::run::RunRequest request;
+    request.scenario = "image";
+    request.duration = 0.2;
+    request.files.folder = folder.path().toStdString();
+    for (auto& scenario : changed.scenarios) {
+        if (scenario.name != "image") {
+            continue;
+        }
+        auto image = scenario.terrain;
+        scenario.terrain = {};
+        scenario.terrain.kind = simcore::project::TerrainKind::Sum;
+        for (const char* name : {"a.png", "b.png", "c.png"}) {
+            const QString path = folder.filePath(name);
+            ASSERT_TRUE(
+                QFile::copy(QString(ROVER_SOURCE_DIR) + "/assets/terrains/dunes.png", path));
+            // What follows the image is not looked at.
+            ASSERT_TRUE(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
+            ASSERT_TRUE(QFile::resize(path, 180LL << 20));
+            image.file = name;
+            scenario.terrain.terrains.push_back(image);
+        }
+    }
+    simcore::Problems told;
+    QObject::connect(&session(), &widgets::RunSession::recordingFailed,
+                     [&](const simcore::Problems& problems) { told = problems; });
+    const auto problems = session().prepare(changed, request, "");
+    EXPECT_FALSE(hasCritical(problems)) << toString(problems);
+    EXPECT_THAT(toString(problems), HasSubstr("540 MiB together"));
+    EXPECT_THAT(toString(told), HasSubstr("540 MiB together"));
+    session().play();
+    ASSERT_TRUE(waitUntil([&] { return session().state() == State::Finished; }));
+    const auto copy = session().copyRun();
+    ASSERT_FALSE(copy);
+    EXPECT_THAT(toString(copy.problems()), HasSubstr("540 MiB together"));
 }
 
 // A window that is busy shows how far it is, takes no other input, and can be told to stop.
