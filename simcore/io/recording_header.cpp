@@ -219,7 +219,7 @@ Problems carryFiles(const project::Project& project, run::RunRequest& request) {
     }
     auto carried = carryTerrainFiles((*scenario)->terrain, request.files);
     if (carried) {
-        request.files.carried = std::move(carried).value();
+        request.files.carried = *carried;
     }
     return carried.problems();
 }

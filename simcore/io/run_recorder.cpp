@@ -103,7 +103,7 @@ Result<bool> RunCopy::write(const std::filesystem::path& file,
         done += bytes.size();
         return true;
     };
-    const auto begun = writeBeginning(header_, pass);
+    auto begun = writeBeginning(header_, pass);
     if (!begun || !*begun) {
         return begun;
     }

@@ -131,7 +131,7 @@ struct RunWorker::Impl {
 
     std::jthread thread;  ///< last: joins before the rest goes
 
-    void post(Command command) {
+    void post(const Command& command) {
         std::unique_lock lock(mutex);
         const long ticket = ++posted;
         commands.push_back(command);
