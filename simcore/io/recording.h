@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <istream>
 #include <memory>
 #include <optional>
@@ -86,11 +87,15 @@ class RecordingWriter {
 ///
 /// Opening takes any bytes: what is no recording, or damaged at its beginning, is a problem; one
 /// that ends early or is damaged further on opens up to there, with a warning.
+///
+/// One without its end is read through: `goOn` is called now and then; null when it said no.
 class RecordingReader {
   public:
-    static Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
+    static Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file,
+                                                         const std::function<bool()>& goOn = {});
     static Result<std::unique_ptr<RecordingReader>> open(std::unique_ptr<std::istream> bytes,
-                                                         const std::string& sourceName);
+                                                         const std::string& sourceName,
+                                                         const std::function<bool()>& goOn = {});
     ~RecordingReader();
     RecordingReader(const RecordingReader&) = delete;
     RecordingReader& operator=(const RecordingReader&) = delete;

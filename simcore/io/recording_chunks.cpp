@@ -110,16 +110,19 @@ std::string packFilePart(std::string_view name, std::uint64_t offset, std::strin
     return packText(kFileChunk, contents);
 }
 
-void writeFileParts(const project::ProjectFiles& files,
-                    const std::function<void(std::string_view)>& write) {
+bool writeFileParts(const project::ProjectFiles& files,
+                    const std::function<bool(std::string_view)>& write) {
     if (!files.carried) {
-        return;
+        return true;
     }
     for (const auto& [name, bytes] : *files.carried) {
         for (std::size_t at = 0; at < bytes.size(); at += kFilePart) {
-            write(packFilePart(name, at, std::string_view(bytes).substr(at, kFilePart)));
+            if (!write(packFilePart(name, at, std::string_view(bytes).substr(at, kFilePart)))) {
+                return false;
+            }
         }
     }
+    return true;
 }
 
 std::optional<ChunkHead> readHead(std::string_view bytes) {

@@ -57,9 +57,9 @@ struct FilePart {
 };
 
 std::string packFilePart(std::string_view name, std::uint64_t offset, std::string_view bytes);
-/// Hands out the chunks of all carried files.
-void writeFileParts(const project::ProjectFiles& files,
-                    const std::function<void(std::string_view)>& write);
+/// Hands out the chunks of all carried files, until `write` says no; false then.
+bool writeFileParts(const project::ProjectFiles& files,
+                    const std::function<bool(std::string_view)>& write);
 
 /// The head in these kChunkHeadSize bytes; nothing when they are no whole head.
 std::optional<ChunkHead> readHead(std::string_view bytes);

@@ -1,5 +1,6 @@
 #include "simcore/io/recording_header.h"
 
+#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include "simcore/base/version.h"
 #include "simcore/io/csv.h"
 #include "simcore/io/project_file.h"
+#include "simcore/io/recording_chunks.h"
 #include "simcore/io/terrain_file.h"
 #include "simcore/project/names.h"
 
@@ -20,7 +22,6 @@ using ReadJson = nlohmann::json;
 
 constexpr const char* kSchema = "roverstudio-recording-1";
 // Bounds of what a reader takes; far beyond any rover.
-constexpr std::size_t kMostParts = 10000;
 constexpr int kDeepest = 32;
 constexpr std::size_t kMostFiles = 1000;
 constexpr std::size_t kLongestName = 4096;
@@ -127,25 +128,6 @@ run::Channel channelFrom(const ReadJson& json) {
     return channel;
 }
 
-/// A parser's answer takes memory by the level; no header is deep.
-bool tooDeep(const std::string& text) {
-    int depth = 0;
-    bool quoted = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quoted && c == '\\') {
-            ++i;
-        } else if (c == '"') {
-            quoted = !quoted;
-        } else if (!quoted && (c == '[' || c == '{') && ++depth > kDeepest) {
-            return true;
-        } else if (!quoted && (c == ']' || c == '}')) {
-            --depth;
-        }
-    }
-    return false;
-}
-
 std::size_t partsFrom(const ReadJson& json, const char* key) {
     const auto parts = json.at(key).get<std::size_t>();
     if (parts > kMostParts) {
@@ -212,6 +194,24 @@ ParsedHeader fromJson(const ReadJson& json) {
 
 }  // namespace
 
+bool tooDeep(const std::string& text) {
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted && c == '\\') {
+            ++i;
+        } else if (c == '"') {
+            quoted = !quoted;
+        } else if (!quoted && (c == '[' || c == '{') && ++depth > kDeepest) {
+            return true;
+        } else if (!quoted && (c == ']' || c == '}')) {
+            --depth;
+        }
+    }
+    return false;
+}
+
 Problems carryFiles(const project::Project& project, run::RunRequest& request) {
     const auto scenario = run::findScenario(project, request.scenario);
     if (!scenario) {
@@ -219,7 +219,7 @@ Problems carryFiles(const project::Project& project, run::RunRequest& request) {
     }
     auto carried = carryTerrainFiles((*scenario)->terrain, request.files);
     if (carried) {
-        request.files.carried = std::move(carried).value();
+        request.files.carried = *carried;
     }
     return carried.problems();
 }
@@ -272,6 +272,35 @@ std::string formatHeader(const RecordingHeader& header) {
     json["joints"] = header.size.joints;
     json["frame_columns"] = snapshotColumns(header.size);
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Result<bool> writeBeginning(const RecordingHeader& header,
+                            const std::function<bool(std::string_view)>& write) {
+    const auto tooMuch = [](const std::string& what) {
+        return Problem{Severity::Critical, "recording", what + " than a recording can have.",
+                       "Simplify the project, or run without recording."};
+    };
+    if (std::max({header.size.bodies, header.size.wheels, header.size.joints}) > kMostParts) {
+        return tooMuch("the rover has more parts");
+    }
+    if (const auto& carried = header.request.files.carried) {
+        std::uint64_t total = 0;
+        for (const auto& [name, bytes] : *carried) {
+            total += bytes.size();
+            if (name.size() > kLongestName || bytes.size() > kLargestTerrainFile) {
+                return tooMuch("a file of the ground is larger or has a longer name");
+            }
+        }
+        if (carried->size() > kMostFiles || total > kMostCarried) {
+            return tooMuch("the files of the ground are more or larger");
+        }
+    }
+    const std::string text = formatHeader(header);
+    if (text.size() > kLargestText) {
+        return tooMuch("the project's text is longer");
+    }
+    return write(kRecordingMagic) && write(packText(kHeaderChunk, text)) &&
+           writeFileParts(header.request.files, write);
 }
 
 Result<ParsedHeader> parseHeader(const std::string& text, const std::string& source) {

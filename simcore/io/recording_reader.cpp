@@ -40,6 +40,8 @@ std::optional<long> stepFrom(double number) {
 struct RecordingReader::Impl {
     std::unique_ptr<std::istream> stream;
     std::string source;
+    std::function<bool()> goOn;
+    bool stopped = false;
     std::uint64_t size = 0;
     ParsedHeader parsed;
     std::string report;
@@ -52,6 +54,8 @@ struct RecordingReader::Impl {
     std::size_t cachedBlock = static_cast<std::size_t>(-1);
     Table cached;  ///< the block of frames read last
 
+    /// False when it is to stop; asked once in a while.
+    bool mayGoOn(std::size_t count);
     bool readBytes(std::uint64_t offset, std::size_t count, std::string& bytes);
     Problems outline();
     bool take(const Place& place);
@@ -60,6 +64,12 @@ struct RecordingReader::Impl {
     Result<Table> table(const Place& place, std::size_t columns);
     std::uint64_t wholeUntil();
 };
+
+bool RecordingReader::Impl::mayGoOn(std::size_t count) {
+    constexpr std::size_t kChunksPerQuestion = 256;
+    stopped = stopped || (goOn && count % kChunksPerQuestion == 0 && !goOn());
+    return !stopped;
+}
 
 bool RecordingReader::Impl::readBytes(std::uint64_t offset, std::size_t count, std::string& bytes) {
     if (count > size || offset > size - count) {
@@ -123,8 +133,8 @@ bool RecordingReader::Impl::take(const Place& place) {
             return false;
         }
         const auto text = unpackText(place.head, stored);
-        report = text.value_or("");
-        complete = text.has_value();
+        complete = text && !tooDeep(*text);
+        report = complete ? *text : "";
         return complete;
     }
     return true;  // a kind of chunk this version does not know is passed over
@@ -142,6 +152,9 @@ Problems RecordingReader::Impl::outline() {
     std::uint64_t offset = kRecordingMagic.size();
     std::string why;
     for (std::size_t chunks = 0; offset < size && !complete; ++chunks) {
+        if (!mayGoOn(chunks)) {
+            return {};
+        }
         const auto head = readBytes(offset, kChunkHeadSize, bytes) && chunks < kMostChunks
                               ? readHead(bytes)
                               : std::nullopt;
@@ -190,7 +203,7 @@ std::uint64_t RecordingReader::Impl::wholeUntil() {
     std::uint64_t end = size;
     const auto check = [&](std::vector<Place>& places, std::size_t& count) {
         std::string stored;
-        for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::size_t i = 0; i < places.size() && mayGoOn(i); ++i) {
             if (!readBytes(places[i].offset, places[i].head.stored, stored) ||
                 !checksumHolds(places[i].head, stored)) {
                 end = std::min(end, places[i].offset - kChunkHeadSize);
@@ -252,18 +265,21 @@ RecordingReader::RecordingReader(std::unique_ptr<Impl> impl) : impl_(std::move(i
 
 RecordingReader::~RecordingReader() = default;
 
-Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::filesystem::path& file) {
+Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::filesystem::path& file,
+                                                               const std::function<bool()>& goOn) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) {
         return Problem{Severity::Critical, file.string(), "there is no such file.",
                        "Check the path."};
     }
-    return open(std::make_unique<std::ifstream>(file, std::ios::binary), file.string());
+    return open(std::make_unique<std::ifstream>(file, std::ios::binary), file.string(), goOn);
 }
 
 Result<std::unique_ptr<RecordingReader>> RecordingReader::open(std::unique_ptr<std::istream> bytes,
-                                                               const std::string& sourceName) {
+                                                               const std::string& sourceName,
+                                                               const std::function<bool()>& goOn) {
     auto impl = std::make_unique<Impl>();
+    impl->goOn = goOn;
     impl->stream = std::move(bytes);
     impl->source = sourceName;
     impl->stream->seekg(0, std::ios::end);
@@ -274,6 +290,10 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::open(std::unique_ptr<s
     }
     impl->size = static_cast<std::uint64_t>(size);
     Problems problems = impl->outline();
+    impl->goOn = {};
+    if (impl->stopped) {
+        return std::unique_ptr<RecordingReader>();
+    }
     if (hasCritical(problems)) {
         return problems;
     }

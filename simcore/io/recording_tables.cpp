@@ -1,8 +1,5 @@
 #include "simcore/io/recording_tables.h"
 
-#include <array>
-#include <utility>
-
 namespace simcore::io {
 namespace {
 
@@ -26,24 +23,27 @@ void RecordingTables::write(const ChunkTag& tag, Table& table) {
     }
 }
 
-void RecordingTables::flush() {
+const std::array<RecordingTables::Kind, 4>& RecordingTables::kinds() {
     // Commands first: a recording that ends here can be run again up to its last row.
-    write(kCommandsChunk, commands_);
-    write(kRowsChunk, rows_);
-    write(kFramesChunk, frames_);
-    write(kMarksChunk, marks_);
+    static const std::array<Kind, 4> kinds{{{kCommandsChunk, &RecordingTables::commands_},
+                                            {kRowsChunk, &RecordingTables::rows_},
+                                            {kFramesChunk, &RecordingTables::frames_},
+                                            {kMarksChunk, &RecordingTables::marks_}}};
+    return kinds;
+}
+
+void RecordingTables::flush() {
+    for (const Kind& kind : kinds()) {
+        write(kind.tag, this->*kind.table);
+    }
 }
 
 std::string RecordingTables::pending() const {
     std::string chunks;
-    const std::array<std::pair<const ChunkTag*, const Table*>, 4> tables{
-        {{&kCommandsChunk, &commands_},
-         {&kRowsChunk, &rows_},
-         {&kFramesChunk, &frames_},
-         {&kMarksChunk, &marks_}}};
-    for (const auto& [tag, table] : tables) {
-        if (!table->empty()) {
-            chunks += packTable(*tag, *table);
+    for (const Kind& kind : kinds()) {
+        const Table& table = this->*kind.table;
+        if (!table.empty()) {
+            chunks += packTable(kind.tag, table);
         }
     }
     return chunks;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -32,6 +33,13 @@ class RecordingTables {
     std::string pending() const;
 
   private:
+    struct Kind {
+        const ChunkTag& tag;
+        Table RecordingTables::*table;
+    };
+
+    /// In the order of a file.
+    static const std::array<Kind, 4>& kinds();
     void write(const ChunkTag& tag, Table& table);
 
     std::function<void(std::string_view)> write_;

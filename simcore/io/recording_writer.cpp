@@ -65,9 +65,11 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::file
                                              std::strerror(errno) + ").",
                                          "Check the folder, its permissions and the free space."};
     }
-    impl->write(kRecordingMagic);
-    impl->write(packText(kHeaderChunk, formatHeader(header)));
-    writeFileParts(header.request.files, [&](std::string_view chunk) { impl->write(chunk); });
+    const auto begun = writeBeginning(header, [&](std::string_view chunk) {
+        impl->write(chunk);
+        return impl->problems.empty();
+    });
+    appendNew(impl->problems, begun.problems());
     if (!impl->problems.empty()) {
         ::close(impl->descriptor);
         impl->descriptor = -1;

@@ -1,5 +1,7 @@
 #include "simcore/io/replay.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "simcore/io/project_file.h"
@@ -72,11 +74,11 @@ Result<ReplayResult> replay(RecordingReader& recording, const std::function<bool
                        "it ends before its first state hash: nothing can be compared.",
                        "Record at least 2.56 s, or let the run end."};
     }
-    auto prepared = prepareRecorded(recording);
-    if (!prepared) {
-        return prepared.problems();
-    }
     try {
+        auto prepared = prepareRecorded(recording);
+        if (!prepared) {
+            return prepared.problems();
+        }
         run::Simulation simulation(std::move(prepared).value());
         return runAgain(simulation, recording, goOn);
     } catch (const std::exception& error) {

@@ -47,12 +47,6 @@ class PrivateFile {
 
     bool append(std::string_view bytes) { return writeAll(descriptor_, bytes); }
 
-    void empty() {
-        if (::ftruncate(descriptor_, 0) != 0) {
-            return;  // the space comes back with the file's end
-        }
-    }
-
     /// Space left on its disk [byte]; nothing when that is not known.
     std::optional<std::uint64_t> spaceLeft() const {
         struct statvfs disk {};
@@ -82,22 +76,47 @@ class PrivateFile {
 
 Result<bool> RunCopy::save(const std::filesystem::path& file,
                            const std::function<bool(double)>& goOn) const {
+    try {
+        return write(file, goOn);
+    } catch (const std::exception& error) {
+        return Problem{Severity::Critical, file.string(),
+                       fmt::format("the recording cannot be written ({}).", error.what()),
+                       "Close other programs if there is no memory left."};
+    }
+}
+
+Result<bool> RunCopy::write(const std::filesystem::path& file,
+                            const std::function<bool(double)>& goOn) const {
     constexpr std::size_t kPiece = 1U << 20U;
+    std::uint64_t total = size_, done = 0;
+    if (const auto& carried = header_.request.files.carried) {
+        for (const auto& [name, bytes] : *carried) {
+            total += bytes.size();
+        }
+    }
     AtomicFile out(file);
-    out.write(kRecordingMagic);
-    out.write(packText(kHeaderChunk, formatHeader(header_)));
-    writeFileParts(header_.request.files, [&](std::string_view chunk) { out.write(chunk); });
-    std::string piece;
-    for (std::uint64_t at = 0; at < size_; at += piece.size()) {
-        if (goOn && !goOn(static_cast<double>(at) / static_cast<double>(size_))) {
+    const auto pass = [&](std::string_view bytes) {
+        if (goOn && !goOn(std::min(1.0, static_cast<double>(done) / static_cast<double>(total)))) {
             return false;
         }
+        out.write(bytes);
+        done += bytes.size();
+        return true;
+    };
+    auto begun = writeBeginning(header_, pass);
+    if (!begun || !*begun) {
+        return begun;
+    }
+    std::string piece;
+    for (std::uint64_t at = 0; at < size_; at += piece.size()) {
         if (!tables_->read(at, std::min<std::uint64_t>(kPiece, size_ - at), piece)) {
             return Problem{Severity::Critical, file.string(),
                            "the run's recording is no longer there.",
                            "Free some space on the disk and run again."};
         }
-        out.write(piece);
+        if (!pass(piece)) {
+            return false;
+        }
     }
     out.write(rest_);
     return out.commit();
@@ -129,9 +148,7 @@ void RunRecorder::restart() {
         impl_->failure =
             Problem{Severity::Critical, "recording of the run", why + "; it was given up.",
                     "Free some space in " + impl_->folder.string() + " and run again."};
-        if (impl_->file && impl_->file->isOpen()) {
-            impl_->file->empty();
-        }
+        impl_->file.reset();  // a copy that is being saved may still hold it
         failed_ = true;
     };
     s.failure.reset();
@@ -177,7 +194,7 @@ bool RunRecorder::wantsMark() const {
 }
 
 void RunRecorder::mark(long step, const std::string& stateHash) {
-    if (!failed_) {
+    if (!failed_ && !stateHash.empty()) {  // a failed simulation has none
         impl_->tables->add(HashMark{step, stateHash});
     }
 }

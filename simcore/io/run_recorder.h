@@ -27,6 +27,9 @@ class RunCopy {
                       const std::function<bool(double)>& goOn = {}) const;
 
   private:
+    Result<bool> write(const std::filesystem::path& file,
+                       const std::function<bool(double)>& goOn) const;
+
     friend class RunRecorder;
     RecordingHeader header_;
     std::shared_ptr<const PrivateFile> tables_;
@@ -35,8 +38,8 @@ class RunCopy {
 };
 
 /// Records whatever a worker runs into a private file in `folder`, so that the run can be saved at
-/// any time. A recording that fails is given up, and gives its space back; the run goes on. Why so:
-/// docs/decisions/0015.
+/// any time. A recording that fails is given up, and gives its space back with the last of its
+/// copies; the run goes on. Why so: docs/decisions/0015.
 ///
 /// All but failed() on the worker's thread.
 class RunRecorder final : public run::RunSink {

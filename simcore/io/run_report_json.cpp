@@ -3,6 +3,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "simcore/io/recording_header.h"
+
 namespace simcore::io {
 namespace {
 
@@ -93,6 +95,9 @@ run::RunReport parseReport(const std::string& text) {
     take(json, "slip_signed_m", report.slipSigned);
     if (const auto wheels = json.find("wheels"); wheels != json.end() && wheels->is_array()) {
         for (const auto& wheel : *wheels) {
+            if (report.wheels.size() >= kMostParts) {
+                break;
+            }
             report.wheels.push_back(wheelFrom(wheel));
         }
     }

@@ -1,6 +1,7 @@
 #include "simcore/io/terrain_file.h"
 
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -91,6 +92,25 @@ void readInto(const project::Terrain& spec, const project::ProjectFiles& files,
     }
 }
 
+void listFiles(const project::Terrain& spec, std::set<std::string>& names) {
+    for (const project::Terrain& part : spec.terrains) {
+        listFiles(part, names);
+    }
+    if (readsFile(spec.kind)) {
+        names.insert(spec.file);
+    }
+}
+
+/// Bytes of a file, carried or not; 0 when it is not there.
+std::uintmax_t sizeOf(const std::string& name, const project::ProjectFiles& files) {
+    if (const std::string* bytes = files.find(name)) {
+        return bytes->size();
+    }
+    std::error_code error;
+    const auto size = fs::file_size(findTerrainFile(name, files.folder), error);
+    return error ? 0 : size;
+}
+
 void carryInto(const project::Terrain& spec, const project::ProjectFiles& files,
                project::CarriedFiles& carried, Problems& problems) {
     for (const project::Terrain& part : spec.terrains) {
@@ -152,20 +172,23 @@ Problems whyNoTerrainFiles(const project::Terrain& spec, const project::ProjectF
 
 Result<std::shared_ptr<const project::CarriedFiles>> carryTerrainFiles(
     const project::Terrain& spec, const project::ProjectFiles& files) {
+    // Before any is read: they may be more than the memory.
+    std::set<std::string> names;
+    listFiles(spec, names);
+    std::uintmax_t total = 0;
+    for (const std::string& name : names) {
+        total += sizeOf(name, files);
+    }
+    if (total > kMostCarried) {
+        return Problem{Severity::Critical, "terrain " + project::nameOf(spec.kind),
+                       fmt::format("its files are {} MiB together; a recording carries {} MiB at "
+                                   "most.",
+                                   total >> 20U, kMostCarried >> 20U),
+                       "Cut or simplify them, or run without recording."};
+    }
     auto carried = std::make_shared<project::CarriedFiles>();
     Problems problems;
     carryInto(spec, files, *carried, problems);
-    std::uintmax_t total = 0;
-    for (const auto& [name, bytes] : *carried) {
-        total += bytes.size();
-    }
-    if (total > kMostCarried) {
-        problems.push_back({Severity::Critical, "terrain " + project::nameOf(spec.kind),
-                            fmt::format("its files are {} MiB together; a recording carries {} "
-                                        "MiB at most.",
-                                        total >> 20U, kMostCarried >> 20U),
-                            "Cut or simplify them, or run without recording."});
-    }
     if (hasCritical(problems)) {
         return problems;
     }

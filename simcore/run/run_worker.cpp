@@ -131,7 +131,7 @@ struct RunWorker::Impl {
 
     std::jthread thread;  ///< last: joins before the rest goes
 
-    void post(Command command) {
+    void post(const Command& command) {
         std::unique_lock lock(mutex);
         const long ticket = ++posted;
         commands.push_back(command);
@@ -272,13 +272,13 @@ void RunWorker::Impl::restart() {
             stepper = factory(run);  // after a failure nothing of the old one is trusted
         }
         failure.clear();
+        if (sink) {
+            sink->restart();  // before anything of the new run, should that fail
+        }
         stepper->setManualCommand(manual);
         sampler.start(stepper->snapshot());
-        if (sink) {
-            sink->restart();
-            if (manual != ManualCommand{}) {
-                sink->add(0, manual);
-            }
+        if (sink && manual != ManualCommand{}) {
+            sink->add(0, manual);
         }
         meter.restart(stepper->snapshot().time);
         nextState = stepper->finished() ? WorkerState::Finished : WorkerState::Paused;

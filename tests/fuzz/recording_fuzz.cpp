@@ -79,6 +79,8 @@ void readAll(io::RecordingReader& reader) {
     for (const io::TimedCommand& command : reader.commands()) {
         require(command.step >= 0, "a command has a step");
     }
+    const run::RunReport report = reader.report();
+    require(report.wheels.size() <= 10000, "a report of a rover");
     require(!reader.complete() || !reader.header().channels.empty(), "a whole file has channels");
 }
 

@@ -1,38 +1,20 @@
 // Files in the real window: save, open, recent, close prompts, autosave and recovery.
-#include <QAbstractButton>
 #include <QDir>
-#include <QMessageBox>
 #include <QStandardPaths>
 #include <QTemporaryDir>
-#include <QTimer>
 
 #include <gmock/gmock.h>
 
+#include "tests/support/dialogs.h"
 #include "tests/support/studio.h"
 
+using testsupport::answerNextBox;
+using testsupport::bytesOf;
+using testsupport::chooseFile;
 using testsupport::projectFile;
 using testsupport::waitUntil;
 
 namespace {
-
-/// Answers the next message box with a real click on one of its buttons.
-void answerNextBox(QMessageBox::StandardButton button, QString* text = nullptr) {
-    QTimer::singleShot(0, [button, text] {
-        auto* retry = new QTimer;
-        QObject::connect(retry, &QTimer::timeout, [button, text, retry] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (box == nullptr) {
-                return;
-            }
-            if (text != nullptr) {
-                *text = box->text() + box->informativeText();
-            }
-            retry->deleteLater();
-            QTest::mouseClick(box->button(button), Qt::LeftButton);
-        });
-        retry->start(30);
-    });
-}
 
 QStringList autosavedCopies() {
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
@@ -58,6 +40,37 @@ TEST_F(FilesTest, SaveWritesTheFileAndClearsTheMark) {
     EXPECT_DOUBLE_EQ(parameterValue("wheel_radius"), 0.09);
     EXPECT_THAT(window->files().recentFiles(), testing::Contains(file));
     EXPECT_THAT(window->windowTitle().toStdString(), testing::HasSubstr("mine.rover"));
+}
+
+// The ending is added after the dialog, which asked about another name.
+TEST_F(FilesTest, SaveAsReplacesNoFileUnasked) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("solero.rover");
+    std::ofstream(file.toStdString()) << "precious";
+    QString said;
+    answerNextBox(QMessageBox::No, &said);
+    chooseFile(folder.filePath("solero"));
+    EXPECT_FALSE(window->files().saveAs());
+    EXPECT_THAT(said.toStdString(), testing::HasSubstr("solero.rover"));
+    EXPECT_EQ(bytesOf(file), "precious");
+    EXPECT_EQ(window->document().file(), projectFile("solero"));
+    answerNextBox(QMessageBox::Yes);
+    chooseFile(folder.filePath("solero"));
+    EXPECT_TRUE(window->files().saveAs());
+    EXPECT_THAT(bytesOf(file), testing::HasSubstr("SOLERO"));
+    EXPECT_EQ(window->document().file(), file);
+}
+
+TEST_F(FilesTest, OpenAsksForAFileAndThenAboutUnsavedChanges) {
+    type(parameter("wheel_radius"), "80");
+    chooseFile(projectFile("shrimp"));
+    answerNextBox(QMessageBox::Cancel);
+    press(Qt::Key_O, Qt::ControlModifier);
+    EXPECT_EQ(window->document().project().rover.name, "SOLERO");
+    chooseFile(projectFile("shrimp"));
+    answerNextBox(QMessageBox::Discard);
+    press(Qt::Key_O, Qt::ControlModifier);
+    EXPECT_EQ(window->document().project().rover.name, "Shrimp");
 }
 
 TEST_F(FilesTest, ClosingAsksAndCancelKeepsEverything) {

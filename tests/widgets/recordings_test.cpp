@@ -1,28 +1,26 @@
 // Recordings in the real window: saved during and after a run, opened, looked at, run again.
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QLabel>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QThread>
-#include <QTimer>
 #include <QToolButton>
 #include <fstream>
-#include <iterator>
 
 #include <gmock/gmock.h>
 
 #include "simcore/io/project_file.h"
 #include "simcore/io/recording.h"
+#include "simcore/io/recording_chunks.h"
+#include "simcore/io/recording_header.h"
 #include "simcore/io/replay.h"
 #include "simcore/run/sampler.h"
+#include "tests/support/dialogs.h"
 #include "tests/support/studio.h"
 #include "widgets/plots/plot_panel.h"
 #include "widgets/session/run_bar.h"
@@ -32,56 +30,15 @@
 
 using simcore::io::RecordingReader;
 using testing::HasSubstr;
+using testsupport::answerNextBox;
+using testsupport::bytesOf;
+using testsupport::chooseFile;
+using testsupport::onNext;
 using testsupport::projectFile;
 using testsupport::waitUntil;
 using State = widgets::RunSession::State;
 
 namespace {
-
-/// Calls `act` with the next modal window of this kind.
-template <class Window, class Act>
-void onNext(Act act) {
-    auto* retry = new QTimer(QApplication::instance());
-    QObject::connect(retry, &QTimer::timeout, [retry, act] {
-        if (auto* window = qobject_cast<Window*>(QApplication::activeModalWidget())) {
-            retry->deleteLater();
-            retry->stop();
-            act(window);
-        }
-    });
-    retry->start(30);
-}
-
-/// Answers the next message box with a real click.
-void answerNextBox(QMessageBox::StandardButton button, QString* text = nullptr) {
-    onNext<QMessageBox>([button, text](QMessageBox* box) {
-        if (text != nullptr) {
-            *text = box->text() + "\n" + box->informativeText();
-        }
-        QTest::mouseClick(box->button(button), Qt::LeftButton);
-    });
-}
-
-/// Gives the next file dialog a name and clicks on its button.
-void chooseFile(const QString& file) {
-    onNext<QFileDialog>([file](QFileDialog* dialog) {
-        auto* line = dialog->findChild<QLineEdit*>("fileNameEdit");
-        ASSERT_NE(line, nullptr);
-        line->setText(file);
-        auto* buttons = dialog->findChild<QDialogButtonBox*>("buttonBox");
-        ASSERT_NE(buttons, nullptr);
-        for (QAbstractButton* button : buttons->buttons()) {
-            if (buttons->buttonRole(button) == QDialogButtonBox::AcceptRole) {
-                QTest::mouseClick(button, Qt::LeftButton);
-            }
-        }
-    });
-}
-
-std::string bytesOf(const QString& file) {
-    std::ifstream in(file.toStdString(), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 class RecordingsTest : public testsupport::StudioTest {
   protected:
@@ -142,6 +99,35 @@ class RecordingsTest : public testsupport::StudioTest {
         request.seed = 4;
         request.assignments = {{"wheel_radius", "8 cm"}};
         record(window->document().project(), request);
+    }
+
+    /// Writes the recording anew, each chunk as `change` gives it.
+    template <class Change>
+    void repack(Change change) {
+        using namespace simcore::io;
+        const std::string old = bytesOf(file);
+        std::string bytes(kRecordingMagic);
+        for (std::size_t at = kRecordingMagic.size(); at < old.size();) {
+            const auto head = readHead(std::string_view(old).substr(at, kChunkHeadSize));
+            ASSERT_TRUE(head);
+            bytes += change(*head, old.substr(at, kChunkHeadSize + head->stored));
+            at += kChunkHeadSize + head->stored;
+        }
+        std::ofstream(file.toStdString(), std::ios::binary) << bytes;
+    }
+
+    /// The same for the rows of a table.
+    template <class Change>
+    void repackTable(const simcore::io::ChunkTag& tag, Change change) {
+        using namespace simcore::io;
+        repack([&](const ChunkHead& head, const std::string& chunk) {
+            if (head.tag != tag) {
+                return chunk;
+            }
+            Table table = unpackTable(head, chunk.substr(kChunkHeadSize)).value();
+            change(table);
+            return packTable(tag, table);
+        });
     }
 
     simcore::io::ReplayResult replayOf(const QString& recording) {
@@ -206,6 +192,35 @@ TEST_F(RecordingsTest, ADriveByHandIsTheSameRunAgain) {
     const auto reader = RecordingReader::open(file.toStdString());
     EXPECT_GE((*reader)->commands().size(), 3U);
     EXPECT_TRUE(replayOf(file).same());
+}
+
+// The ending is added after the dialog, which asked about another name.
+TEST_F(RecordingsTest, NothingIsReplacedUnasked) {
+    driveFor(0.2);
+    std::ofstream(file.toStdString()) << "precious";
+    QString said;
+    answerNextBox(QMessageBox::No, &said);
+    chooseFile(folder.filePath("run"));
+    window->recordings().save();
+    EXPECT_THAT(said.toStdString(), HasSubstr("run.roverrec"));
+    EXPECT_EQ(bytesOf(file), "precious");
+    answerNextBox(QMessageBox::Yes);
+    chooseFile(folder.filePath("run"));
+    window->recordings().save();
+    EXPECT_TRUE(replayOf(file).same());
+    // Nor is what stands beside a table.
+    const QString beside = folder.filePath("table.json");
+    std::ofstream(beside.toStdString()) << "precious";
+    answerNextBox(QMessageBox::No, &said);
+    chooseFile(folder.filePath("table.csv"));
+    window->plots().exportCsv();
+    EXPECT_THAT(said.toStdString(), HasSubstr("table.json"));
+    EXPECT_EQ(bytesOf(beside), "precious");
+    EXPECT_FALSE(QFile::exists(folder.filePath("table.csv")));
+    answerNextBox(QMessageBox::Yes);
+    chooseFile(folder.filePath("table.csv"));
+    window->plots().exportCsv();
+    EXPECT_THAT(bytesOf(beside), HasSubstr("state_hash"));
 }
 
 TEST_F(RecordingsTest, AFailedSaveIsExplained) {
@@ -305,6 +320,42 @@ TEST_F(RecordingsTest, RunAgainSaysWhetherItIsTheSame) {
     EXPECT_THAT(said.toStdString(), HasSubstr("The same run"));
     EXPECT_THAT(said.toStdString(), HasSubstr(hash));
     EXPECT_NE(session().recorded(), nullptr);
+    repackTable(simcore::io::kMarksChunk, [](simcore::io::Table& marks) {
+        marks.back()[2] = marks.back()[2] == 0.0 ? 1.0 : 0.0;
+    });
+    ASSERT_TRUE(window->open(file));
+    answerNextBox(QMessageBox::Ok, &said);
+    window->recordings().runAgain();
+    EXPECT_THAT(said.toStdString(), HasSubstr("Another run"));
+    EXPECT_THAT(said.toStdString(), HasSubstr(hash.substr(0, 8)));
+    EXPECT_THAT(said.toStdString(), HasSubstr(hash + " came out"));
+}
+
+// Its numbers would take any memory.
+TEST_F(RecordingsTest, MoreNumbersThanItsRoverHasAreRefused) {
+    recordSolero(0.4);
+    const std::string good = bytesOf(file);
+    const auto change = [&](const auto& how) {
+        std::ofstream(file.toStdString(), std::ios::binary) << good;
+        auto header = (*RecordingReader::open(file.toStdString()))->header();
+        how(header);
+        repack([&](const simcore::io::ChunkHead& head, const std::string& chunk) {
+            return head.tag == simcore::io::kHeaderChunk
+                       ? simcore::io::packText(head.tag, simcore::io::formatHeader(header))
+                       : chunk;
+        });
+        return widgets::loadRecording(file.toStdString());
+    };
+    using Header = simcore::io::RecordingHeader;
+    EXPECT_TRUE(change([](const Header&) {}));
+    for (const auto& refused :
+         {change([](Header& header) { header.size.joints = 9000; }), change([](Header& header) {
+              const auto last = header.channels.back();
+              header.channels.resize(5 * header.channels.size(), last);
+          })}) {
+        ASSERT_FALSE(refused);
+        EXPECT_THAT(toString(refused.problems()), HasSubstr("of another rover"));
+    }
 }
 
 // The ground comes from the recording: its files are gone.
@@ -407,6 +458,63 @@ TEST_F(RecordingsTest, ALongRecordingIsThinnedWhileItIsRead) {
     const auto stopped = widgets::loadRecording(file.toStdString(), [](double) { return false; });
     ASSERT_TRUE(stopped);
     EXPECT_EQ(*stopped, nullptr);
+    // Also among many frames without rows: an interrupted recording may end with them.
+    repackTable(simcore::io::kFramesChunk, [](simcore::io::Table& frames) {
+        frames.insert(frames.end(), 5000, simcore::io::Table::value_type(frames.back()));
+    });
+    const auto callsUntil = [&](int most) {
+        int asked = 0;
+        const auto read =
+            widgets::loadRecording(file.toStdString(), [&](double) { return ++asked < most; });
+        EXPECT_EQ(read && *read == nullptr, asked == most);
+        return asked;
+    };
+    const int all = callsUntil(1000000);
+    EXPECT_GE(all, 10);
+    for (int most = 1; most <= all; ++most) {
+        EXPECT_EQ(callsUntil(most), most);
+    }
+}
+
+// A run is not refused because its recording is.
+TEST_F(RecordingsTest, GroundThatIsTooLargeToBeCarriedIsDrivenOn) {
+    auto project = simcore::io::loadProject(projectFile("terrains").toStdString());
+    ASSERT_TRUE(project);
+    auto changed = *project;
+    simcore::run::RunRequest request;
+    request.scenario = "image";
+    request.duration = 0.2;
+    request.files.folder = folder.path().toStdString();
+    for (auto& scenario : changed.scenarios) {
+        if (scenario.name != "image") {
+            continue;
+        }
+        auto image = scenario.terrain;
+        scenario.terrain = {};
+        scenario.terrain.kind = simcore::project::TerrainKind::Sum;
+        for (const char* name : {"a.png", "b.png", "c.png"}) {
+            const QString path = folder.filePath(name);
+            ASSERT_TRUE(
+                QFile::copy(QString(ROVER_SOURCE_DIR) + "/assets/terrains/dunes.png", path));
+            // What follows the image is not looked at.
+            ASSERT_TRUE(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
+            ASSERT_TRUE(QFile::resize(path, 180LL << 20));
+            image.file = name;
+            scenario.terrain.terrains.push_back(image);
+        }
+    }
+    simcore::Problems told;
+    QObject::connect(&session(), &widgets::RunSession::recordingFailed,
+                     [&](const simcore::Problems& problems) { told = problems; });
+    const auto problems = session().prepare(changed, request, "");
+    EXPECT_FALSE(hasCritical(problems)) << toString(problems);
+    EXPECT_THAT(toString(problems), HasSubstr("540 MiB together"));
+    EXPECT_THAT(toString(told), HasSubstr("540 MiB together"));
+    session().play();
+    ASSERT_TRUE(waitUntil([&] { return session().state() == State::Finished; }));
+    const auto copy = session().copyRun();
+    ASSERT_FALSE(copy);
+    EXPECT_THAT(toString(copy.problems()), HasSubstr("540 MiB together"));
 }
 
 // A window that is busy shows how far it is, takes no other input, and can be told to stop.

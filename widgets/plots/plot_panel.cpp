@@ -26,7 +26,9 @@
 #include <cmath>
 
 #include "render/palette.h"
+#include "simcore/io/csv.h"
 #include "widgets/plots/wheel_plot.h"
+#include "widgets/session/may_replace.h"
 
 namespace widgets {
 
@@ -652,6 +654,11 @@ void PlotPanel::exportCsv() {
     const QString file = QFileDialog::getSaveFileName(
         this, tr("Export CSV"), impl_->suggestedName(".csv"), tr("CSV tables (*.csv)"));
     if (file.isEmpty()) {
+        return;
+    }
+    // Beside a table that may be replaced stands its own; else it is somebody's.
+    const auto beside = simcore::io::csvMetadataFile(file.toStdString());
+    if (!QFileInfo::exists(file) && !mayReplace(this, QString::fromStdString(beside.string()))) {
         return;
     }
     QSettings().setValue("export/folder", QFileInfo(file).absolutePath());

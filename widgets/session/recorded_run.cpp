@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 
 #include "simcore/io/project_file.h"
@@ -15,6 +16,9 @@ using simcore::Severity;
 using simcore::io::RecordingReader;
 
 namespace {
+
+/// Channels to those of this version: one to come may have more of them, not any number.
+constexpr std::size_t kMostChannels = 4;
 
 /// Everything about the run but its numbers.
 Problems readRun(RecordingReader& reader, RecordedRun& run) {
@@ -49,7 +53,9 @@ Problems readRun(RecordingReader& reader, RecordedRun& run) {
     run.settings = std::move(prepared).value();
     const auto& mechanism = run.settings.mechanism;
     if (header.size.bodies != mechanism.bodies.size() ||
-        header.size.wheels != mechanism.wheels.size()) {
+        header.size.wheels != mechanism.wheels.size() ||
+        header.size.joints != mechanism.encoderJoints().size() ||
+        header.channels.size() > kMostChannels * simcore::run::makeChannels(mechanism).size()) {
         return {{Severity::Critical, run.file.string(),
                  "its numbers are of another rover than its project.",
                  "Open it with the RoverStudio version that wrote it, or take another copy."}};
@@ -64,14 +70,18 @@ Problems readRun(RecordingReader& reader, RecordedRun& run) {
 /// Feeds the store in the order of time.
 class NumbersReader {
   public:
-    NumbersReader(RecordingReader& reader, RecordedRun& run) : reader_(reader), run_(run) {}
+    NumbersReader(RecordingReader& reader, RecordedRun& run,
+                  const std::function<bool(double)>& goOn)
+        : reader_(reader),
+          run_(run),
+          goOn_(goOn) {}
 
     /// The problem that ended it, if any. Stops where `goOn` says so.
-    Problems readAll(const std::function<bool(double)>& goOn, bool& stopped) {
+    Problems readAll() {
         const std::size_t blocks = reader_.rowBlockCount();
         for (std::size_t block = 0; block < blocks; ++block) {
-            if (goOn && !goOn(static_cast<double>(block) / static_cast<double>(blocks))) {
-                stopped = true;
+            part_ = static_cast<double>(block) / static_cast<double>(blocks);
+            if (!mayGoOn()) {
                 return {};
             }
             auto read = reader_.rowBlock(block);
@@ -92,7 +102,14 @@ class NumbersReader {
         return readFrames(std::numeric_limits<double>::infinity());
     }
 
+    bool stopped() const { return stopped_; }
+
   private:
+    bool mayGoOn() {
+        stopped_ = stopped_ || (goOn_ && !goOn_(part_));
+        return !stopped_;
+    }
+
     /// The frames up to about this time; then the store takes rows and frames.
     Problems readFrames(double until) {
         for (; frame_ < reader_.frameCount() && frameTime_ < until; ++frame_) {
@@ -107,6 +124,9 @@ class NumbersReader {
             frames_.push_back(run_.last);
             if (frames_.size() >= kFramesAtOnce) {
                 run_.store.append(rows_, frames_);
+                if (!mayGoOn()) {
+                    return {};
+                }
             }
         }
         run_.store.append(rows_, frames_);
@@ -129,20 +149,25 @@ class NumbersReader {
 
     RecordingReader& reader_;
     RecordedRun& run_;
+    const std::function<bool(double)>& goOn_;
+    double part_ = 0.0;
+    bool stopped_ = false;
     std::vector<std::vector<double>> rows_;
     std::vector<std::shared_ptr<const simcore::run::Snapshot>> frames_;
     double rowTime_ = 0.0, frameTime_ = 0.0;
     std::size_t frame_ = 0;
 };
 
-}  // namespace
+using Loaded = simcore::Result<std::shared_ptr<RecordedRun>>;
 
-simcore::Result<std::shared_ptr<RecordedRun>> loadRecording(const std::filesystem::path& file,
-                                                            const std::function<bool(double)>& goOn,
-                                                            RecordingStore store) {
-    auto opened = RecordingReader::open(file);
+Loaded load(const std::filesystem::path& file, const std::function<bool(double)>& goOn,
+            RecordingStore store) {
+    auto opened = RecordingReader::open(file, [&goOn] { return !goOn || goOn(0.0); });
     if (!opened) {
         return opened.problems();
+    }
+    if (*opened == nullptr) {
+        return std::shared_ptr<RecordedRun>();
     }
     RecordingReader& reader = **opened;
     auto run = std::make_shared<RecordedRun>();
@@ -154,9 +179,9 @@ simcore::Result<std::shared_ptr<RecordedRun>> loadRecording(const std::filesyste
         return problems;
     }
     run->store.start(reader.header().channels);
-    bool stopped = false;
-    Problems ended = NumbersReader(reader, *run).readAll(goOn, stopped);
-    if (stopped) {
+    NumbersReader numbers(reader, *run, goOn);
+    Problems ended = numbers.readAll();
+    if (numbers.stopped()) {
         return std::shared_ptr<RecordedRun>();
     }
     if (!run->last) {
@@ -171,7 +196,21 @@ simcore::Result<std::shared_ptr<RecordedRun>> loadRecording(const std::filesyste
         run->complete = false;
     }
     appendNew(problems, ended);
-    return simcore::Result<std::shared_ptr<RecordedRun>>(std::move(run), std::move(problems));
+    return Loaded(std::move(run), std::move(problems));
+}
+
+}  // namespace
+
+simcore::Result<std::shared_ptr<RecordedRun>> loadRecording(const std::filesystem::path& file,
+                                                            const std::function<bool(double)>& goOn,
+                                                            RecordingStore store) {
+    try {
+        return load(file, goOn, std::move(store));
+    } catch (const std::exception& error) {
+        return Problem{Severity::Critical, file.string(),
+                       std::string("it cannot be read (") + error.what() + ").",
+                       "Close other programs if there is no memory left."};
+    }
 }
 
 }  // namespace widgets

@@ -41,17 +41,20 @@ Problems RunSession::prepare(const simcore::project::Project& project,
                              const simcore::run::RunRequest& request,
                              const std::string& projectFile) {
     simcore::run::RunRequest carrying = request;
-    Problems problems = simcore::io::carryFiles(project, carrying);
-    if (hasCritical(problems)) {
-        return problems;
-    }
+    Problems whyNotRecorded = simcore::io::carryFiles(project, carrying);
+    // What a recording cannot carry can be driven on nevertheless.
+    const bool recorded = !hasCritical(whyNotRecorded);
     auto run = simcore::run::prepareRun(project, carrying);
     if (!run) {
         return run.problems();
     }
-    problems = run.problems();
-    auto recorder = std::make_unique<simcore::io::RunRecorder>(
-        recordingFolder(), simcore::io::recordingHeader(project, carrying, *run, {}, projectFile));
+    Problems problems = run.problems();
+    std::unique_ptr<simcore::io::RunRecorder> recorder;
+    if (recorded) {
+        recorder = std::make_unique<simcore::io::RunRecorder>(
+            recordingFolder(),
+            simcore::io::recordingHeader(project, carrying, *run, {}, projectFile));
+    }
     simcore::io::RunRecorder* const recording = recorder.get();
     auto worker = std::make_unique<RunWorker>(std::move(run).value(), std::move(recorder));
     const simcore::run::RunReport report = worker->report();
@@ -62,6 +65,14 @@ Problems RunSession::prepare(const simcore::project::Project& project,
         return problems;
     }
     adopt(std::move(worker), recording, simcore::io::originOf(project, request, projectFile));
+    if (!recorded) {
+        whyNoRecorder_ = whyNotRecorded;
+        for (Problem& problem : whyNotRecorded) {
+            problem.severity = Severity::Warning;
+        }
+        appendNew(problems, whyNotRecorded);
+        emit recordingFailed(whyNotRecorded);
+    }
     return problems;
 }
 
@@ -75,6 +86,7 @@ void RunSession::adopt(std::unique_ptr<RunWorker> worker, simcore::io::RunRecord
     recorded_.reset();
     worker_ = std::move(worker);
     recorder_ = recorder;
+    whyNoRecorder_.clear();
     failureTold_ = false;
     origin_ = std::move(origin);
     live_ = worker_->latest();
@@ -263,6 +275,9 @@ simcore::run::RunReport RunSession::report() const {
 }
 
 simcore::Result<simcore::io::RunCopy> RunSession::copyRun() const {
+    if (worker_ && !whyNoRecorder_.empty()) {
+        return whyNoRecorder_;
+    }
     if (recorder_ == nullptr) {
         return Problem{Severity::Critical, "recording", "there is no run to save.",
                        "Run a scenario first."};

@@ -126,6 +126,7 @@ class RunSession : public QObject {
 
     std::unique_ptr<simcore::run::RunWorker> worker_;  ///< null when empty or out of a recording
     simcore::io::RunRecorder* recorder_ = nullptr;     ///< the worker's
+    simcore::Problems whyNoRecorder_;                  ///< when the worker has none
     bool failureTold_ = false;
     std::optional<RecordedRun> recorded_;
     RecordingStore store_;

@@ -9,6 +9,7 @@
 
 #include "simcore/io/project_file.h"
 #include "widgets/document/autosave.h"
+#include "widgets/session/may_replace.h"
 
 namespace widgets {
 
@@ -52,21 +53,8 @@ QString FileCommands::startFolder() const {
                : QFileInfo(document_->file()).absolutePath();
 }
 
-void FileCommands::open() {
-    if (!mayDiscard()) {
-        return;
-    }
-    const QString file =
-        QFileDialog::getOpenFileName(window_, tr("Open project"), startFolder(), tr(kFilter));
-    if (file.isEmpty()) {
-        return;
-    }
-    const Problems problems = document_->open(file);
-    if (problems.empty()) {
-        remember(file);
-    } else {
-        complain(tr("The project cannot be opened"), problems);
-    }
+QString FileCommands::chooseFile() const {
+    return QFileDialog::getOpenFileName(window_, tr("Open project"), startFolder(), tr(kFilter));
 }
 
 bool FileCommands::openFile(const QString& file) {
@@ -121,6 +109,9 @@ bool FileCommands::saveAs() {
     }
     if (QFileInfo(file).suffix().isEmpty()) {
         file += ".rover";
+        if (!mayReplace(window_, file)) {
+            return false;
+        }
     }
     const Problems problems = document_->saveAs(file);
     if (!problems.empty()) {

@@ -18,7 +18,8 @@ class FileCommands : public QObject {
     FileCommands(Document* document, QWidget* window);
 
     void createNew();
-    void open();
+    /// Asks for a file to open; empty: none.
+    QString chooseFile() const;
     /// Asks about unsaved changes first. False when it was not opened; says why.
     bool openFile(const QString& file);
     void openExample(const QString& file);

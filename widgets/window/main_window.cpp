@@ -471,9 +471,11 @@ bool MainWindow::playPause() {
 }
 
 void MainWindow::showRecording(const std::shared_ptr<RecordedRun>& run) {
+    link_->holdTerrain(true);  // the run has it; making it again takes time
     document_->openProject(run->project, run->request.files);
     runBar_->setScenario(QString::fromStdString(run->request.scenario));
     session_->show(std::move(*run));
+    link_->holdTerrain(false);
 }
 
 bool MainWindow::open(const QString& file) {

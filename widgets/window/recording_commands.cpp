@@ -8,8 +8,11 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include <exception>
+
 #include "simcore/base/version.h"
 #include "simcore/io/replay.h"
+#include "widgets/session/may_replace.h"
 #include "widgets/window/background.h"
 #include "widgets/window/file_commands.h"
 
@@ -100,11 +103,19 @@ void RecordingCommands::save() {
     QFileDialog dialog(window_, tr("Save recording"), startFolder(), tr("Recordings (*.roverrec)"));
     dialog.setObjectName("saveRecordingDialog");
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix("roverrec");
     dialog.selectFile(name + ".roverrec");
-    if (dialog.exec() == QDialog::Accepted) {
-        saveCopy(copy, dialog.selectedFiles().front());
+    if (dialog.exec() != QDialog::Accepted) {
+        return;
     }
+    QString file = dialog.selectedFiles().front();
+    if (QFileInfo(file).suffix().isEmpty()) {
+        // Not by the dialog: one of the system may add it after asking about the file.
+        file += ".roverrec";
+        if (!mayReplace(window_, file)) {
+            return;
+        }
+    }
+    saveCopy(copy, file);
 }
 
 bool RecordingCommands::saveTo(const QString& file) {
@@ -141,13 +152,21 @@ void RecordingCommands::runAgain() {
     std::string version;
     simcore::Result<simcore::io::ReplayResult> replayed = simcore::io::ReplayResult();
     workInBackground(window_, tr("Running the recorded run again"), [&](const GoOn& goOn) {
-        auto reader = simcore::io::RecordingReader::open(file);
-        if (!reader) {
-            replayed = reader.problems();
-            return;
+        try {
+            auto reader = simcore::io::RecordingReader::open(file, [&goOn] { return goOn(0.0); });
+            if (!reader) {
+                replayed = reader.problems();
+            } else if (*reader == nullptr) {
+                replayed.value().stopped = true;
+            } else {
+                version = (*reader)->header().programVersion;
+                replayed = simcore::io::replay(**reader, goOn);
+            }
+        } catch (const std::exception& error) {
+            replayed = simcore::Problem{simcore::Severity::Critical, file.string(),
+                                        std::string("it cannot be read (") + error.what() + ").",
+                                        "Close other programs if there is no memory left."};
         }
-        version = (*reader)->header().programVersion;
-        replayed = simcore::io::replay(**reader, goOn);
     });
     if (!replayed) {
         files_->complain(tr("The recording cannot be run again"), replayed.problems());

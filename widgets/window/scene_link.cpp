@@ -98,6 +98,9 @@ void SceneLink::setScenario(const QString& name) {
 }
 
 void SceneLink::showTerrain() {
+    if (terrainHeld_) {
+        return;
+    }
     const auto& project = document_->project();
     const simcore::project::Scenario* scenario = nullptr;
     for (const auto& one : project.scenarios) {

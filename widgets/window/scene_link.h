@@ -21,6 +21,10 @@ class SceneLink : public QObject {
 
     /// The scenario whose terrain the design stands on.
     void setScenario(const QString& name);
+
+    /// Leaves the design's terrain alone while it is held: a run's own will be shown instead.
+    void holdTerrain(bool held) { terrainHeld_ = held; }
+
     /// Model whose freedoms are written at the joints.
     void setModel(simcore::mobility::Model model);
     void setOverlays(const render::Overlays& overlays);
@@ -62,7 +66,7 @@ class SceneLink : public QObject {
     simcore::project::Scenario terrainOf_;
     simcore::project::ParameterValues terrainParameters_;
     simcore::project::ProjectFiles terrainFiles_;
-    bool terrainShown_ = false;
+    bool terrainShown_ = false, terrainHeld_ = false;
 };
 
 }  // namespace widgets

@@ -11,6 +11,7 @@
 #include "simcore/io/project_file.h"
 #include "widgets/editors/parts_tree.h"
 #include "widgets/plots/plot_panel.h"
+#include "widgets/session/may_replace.h"
 #include "widgets/session/run_bar.h"
 #include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
@@ -39,8 +40,12 @@ void MainWindow::makeActions() {
 void MainWindow::makeFileActions() {
     actions_->add("new", tr("&New"), {QKeySequence::New}, tr("An empty project"),
                   [this] { files_->createNew(); });
-    actions_->add("open", tr("&Open..."), {QKeySequence::Open}, tr("Open a project"),
-                  [this] { files_->open(); });
+    actions_->add("open", tr("&Open..."), {QKeySequence::Open}, tr("Open a project"), [this] {
+        // Among all files there are recordings, too.
+        if (const QString file = files_->chooseFile(); !file.isEmpty()) {
+            open(file);
+        }
+    });
     actions_->add("save", tr("&Save"), {QKeySequence::Save}, tr("Save the project"),
                   [this] { files_->save(); });
     actions_->add("saveAs", tr("Save &as..."), {QKeySequence("Ctrl+Shift+S")},
@@ -246,6 +251,9 @@ void MainWindow::saveScreenshot() {
     }
     if (QFileInfo(file).suffix().isEmpty()) {
         file += ".png";
+        if (!mayReplace(this, file)) {
+            return;
+        }
     }
     if (image.save(file)) {
         tell(tr("Written: %1").arg(file));

@@ -206,6 +206,46 @@ TEST_F(RecordingTest, AFileThatEndsAnywhereOpensUpToThere) {
     EXPECT_GT(most, rows.size() / 2);
 }
 
+/// A header whose ground is made from these files.
+RecordingHeader withFiles(RecordingHeader header, project::CarriedFiles files) {
+    header.request.files.carried = std::make_shared<const project::CarriedFiles>(std::move(files));
+    return header;
+}
+
+TEST_F(RecordingTest, OpeningMayBeStopped) {
+    const std::string bytes = recorded();
+    int asked = 0;
+    for (int most = 0; most < 4; ++most) {
+        asked = 0;
+        const auto reader = RecordingReader::open(
+            std::make_unique<std::istringstream>(bytes.substr(0, bytes.size() - 1)), "test",
+            [&] { return asked++ < most; });
+        ASSERT_TRUE(reader);
+        // Asked for the outline, and for rows and frames as there is no report.
+        EXPECT_EQ(*reader == nullptr, most < 3) << most;
+    }
+    EXPECT_EQ(asked, 3);
+}
+
+// Nothing is written that no reader takes.
+TEST_F(RecordingTest, ARecordingThatIsTooLargeIsNotBegun) {
+    std::vector<RecordingHeader> tooLarge{withFiles(header, {{std::string(5000, 'a'), "ncols 2"}}),
+                                          header, header, header};
+    project::CarriedFiles many;
+    for (int i = 0; i < 1001; ++i) {
+        many.emplace(std::to_string(i), "");
+    }
+    tooLarge[1] = withFiles(header, many);
+    tooLarge[2].size.bodies = kMostParts + 1;
+    tooLarge[3].projectText = std::string(kLargestText, ' ');
+    for (const RecordingHeader& one : tooLarge) {
+        const auto writer = RecordingWriter::create(file, one);
+        ASSERT_FALSE(writer);
+        EXPECT_THAT(toString(writer.problems()), HasSubstr("than a recording can have"));
+    }
+    EXPECT_TRUE(fs::is_empty(folder));
+}
+
 // Whatever is damaged, no wrong number is read.
 TEST_F(RecordingTest, DamageIsNoticed) {
     const std::string bytes = recorded();
@@ -237,6 +277,26 @@ TEST_F(RecordingTest, WhatIsNoRecordingIsRefused) {
     EXPECT_FALSE(RecordingReader::open(folder / "missing.roverrec"));
 }
 
+// Writing it out again would take the stack.
+TEST_F(RecordingTest, AReportThatIsNestedTooDeeplyIsNone) {
+    const std::string begin =
+        std::string(kRecordingMagic) + packText(kHeaderChunk, formatHeader(header));
+    for (const std::string& text : {std::string(1000000, '['), "{\"dt\":" + std::string(33, '{')}) {
+        const auto reader = openBytes(begin + packText(kReportChunk, text));
+        ASSERT_TRUE(reader) << toString(reader.problems());
+        EXPECT_FALSE((*reader)->complete());
+        EXPECT_TRUE((*reader)->reportText().empty());
+    }
+    std::string wheels = "{\"wheels\":[";
+    for (int i = 0; i < 20000; ++i) {
+        wheels += "{},";
+    }
+    wheels += "{}]}";
+    const auto reader = openBytes(begin + packText(kReportChunk, wheels));
+    ASSERT_TRUE(reader);
+    EXPECT_EQ((*reader)->report().wheels.size(), kMostParts);
+}
+
 TEST_F(RecordingTest, AChunkOfAKindToComeIsPassedOver) {
     std::string bytes = recorded();
     const auto head = readHead(std::string_view(bytes).substr(16, kChunkHeadSize));
@@ -246,12 +306,6 @@ TEST_F(RecordingTest, AChunkOfAKindToComeIsPassedOver) {
     ASSERT_TRUE(reader);
     EXPECT_TRUE((*reader)->complete());
     EXPECT_EQ((*reader)->rowCount(), rows.size());
-}
-
-/// A header whose ground is made from these files.
-RecordingHeader withFiles(RecordingHeader header, project::CarriedFiles files) {
-    header.request.files.carried = std::make_shared<const project::CarriedFiles>(std::move(files));
-    return header;
 }
 
 TEST_F(RecordingTest, FilesOfTheGroundComeBackByTheirNames) {

@@ -36,6 +36,38 @@ bool waitUntil(Condition condition) {
     return true;
 }
 
+/// Fails at a step, and cannot tell what it was then.
+class Broken final : public run::Stepper {
+  public:
+    static constexpr long kLast = 2000;
+
+    explicit Broken(std::unique_ptr<run::Stepper> inner) : inner_(std::move(inner)) {}
+
+    void reset() override { inner_->reset(); }
+
+    void step() override {
+        broken_ = inner_->snapshot().step == kLast;
+        if (broken_) {
+            throw std::runtime_error("broken");
+        }
+        inner_->step();
+    }
+
+    bool finished() const override { return inner_->finished(); }
+
+    void setManualCommand(const run::ManualCommand& c) override { inner_->setManualCommand(c); }
+
+    const run::Snapshot& snapshot() const override { return inner_->snapshot(); }
+
+    run::RunReport report() const override {
+        return broken_ ? throw std::runtime_error("broken") : inner_->report();
+    }
+
+  private:
+    std::unique_ptr<run::Stepper> inner_;
+    bool broken_ = false;
+};
+
 class RunRecorderTest : public ::testing::Test {
   protected:
     RunRecorderTest()
@@ -53,7 +85,8 @@ class RunRecorderTest : public ::testing::Test {
         fs::remove_all(folder);
     }
 
-    void start(double duration, std::uint64_t keepFree = 0) {
+    void start(double duration, std::uint64_t keepFree = 0,
+               const run::StepperFactory& factory = test_support::fakeStepper()) {
         run::ResolvedRun run = test_support::fakeRun(duration);
         run.controller = project::ControllerKind::Manual;
         header.request.scenario = run.scenario;
@@ -61,7 +94,7 @@ class RunRecorderTest : public ::testing::Test {
         header.size = {1, 6, 0};
         auto made = std::make_unique<RunRecorder>(cache, header, keepFree);
         recorder = made.get();
-        worker = std::make_unique<RunWorker>(run, test_support::fakeStepper(), std::move(made));
+        worker = std::make_unique<RunWorker>(run, factory, std::move(made));
         worker->setSpeedFactor(0.0);
     }
 
@@ -216,6 +249,44 @@ TEST_F(RunRecorderTest, AFullDiskEndsTheRecordingButNotTheRun) {
     EXPECT_EQ(saved()->marks().back().step, 4500);
 }
 
+TEST_F(RunRecorderTest, ACopyOutlivesARecordingThatIsGivenUp) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    start(1e5);
+    worker->play();
+    ASSERT_TRUE(waitUntil([&] { return worker->latest()->step > 5000; }));
+    worker->pause();
+    const long steps = worker->latest()->step;
+    const auto made = copy();
+    ASSERT_TRUE(made);
+    rlimit old{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old), 0);
+    const rlimit small{1, old.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    worker->play();
+    const bool failed = waitUntil([&] { return recorder->failed(); });
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &old), 0);
+    ASSERT_TRUE(failed);
+    worker->pause();
+    const auto written = made->save(file);
+    ASSERT_TRUE(written) << toString(written.problems());
+    const auto reader = RecordingReader::open(file);
+    ASSERT_TRUE(reader && reader.problems().empty()) << toString(reader.problems());
+    EXPECT_TRUE((*reader)->complete());
+    EXPECT_EQ((*reader)->marks().back().step, steps);
+}
+
+// A run that fails may have no hash to mark it with; what it did until then is kept.
+TEST_F(RunRecorderTest, ARunThatFailsIsSavedUpToThere) {
+    start(9.0, 0, [](const run::ResolvedRun& run) {
+        return std::make_unique<Broken>(test_support::fakeStepper()(run));
+    });
+    playToTheEnd();
+    EXPECT_EQ(worker->report().stopDetail, "broken");
+    const auto reader = saved();
+    EXPECT_THAT(reader->reportText(), HasSubstr("broken"));
+    expectAllRows(*reader);
+}
+
 TEST_F(RunRecorderTest, SomeOfTheDiskStaysFree) {
     start(9.0, std::uint64_t{1} << 62U);
     playToTheEnd();
@@ -251,6 +322,18 @@ TEST_F(RunRecorderTest, AFailedSaveChangesNothing) {
     const auto stopped = made->save(file, [](double) { return false; });
     ASSERT_TRUE(stopped);
     EXPECT_FALSE(*stopped);
+    // Within the files of the ground, too.
+    header.request.files.carried = std::make_shared<const project::CarriedFiles>(
+        project::CarriedFiles{{"ground.png", std::string(20U << 20U, '\0')}});
+    start(1.0);
+    int asked = 0;
+    const auto stoppedInFiles = copy()->save(file, [&](double) { return ++asked < 5; });
+    ASSERT_TRUE(stoppedInFiles);
+    EXPECT_FALSE(*stoppedInFiles);
+    EXPECT_EQ(asked, 5);
+    header.projectText = std::string(10U << 20U, ' ');
+    start(1.0);
+    EXPECT_THAT(toString(copy()->save(file).problems()), HasSubstr("the project's text is longer"));
     EXPECT_EQ(fs::file_size(file), 3U);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 2);  // file and cache
 }

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include <sys/stat.h>
@@ -190,6 +191,27 @@ TEST_F(TerrainFileTest, RastersRoundTrip) {
     EXPECT_THAT(toString(writeTerrainRaster(grains, 1e-4, folder_ / "b.asc").problems()),
                 HasSubstr("Choose --cell"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "b.asc"));
+}
+
+// Nor are they read: each of these would be too large for it.
+TEST_F(TerrainFileTest, MoreThanARecordingCarriesIsRefused) {
+    project::Terrain sum;
+    sum.kind = TerrainKind::Sum;
+    for (const char* name : {"a.png", "b.png", "a.png"}) {
+        std::ofstream(folder_ / name) << "no image";
+        std::filesystem::resize_file(folder_ / name, kLargestTerrainFile + 1);
+        sum.terrains.emplace_back().kind = TerrainKind::Image;
+        sum.terrains.back().file = name;
+    }
+    const std::string said = toString(carryTerrainFiles(sum, folder_).problems());
+    EXPECT_THAT(said, HasSubstr("512 MiB together"));
+    EXPECT_THAT(said, testing::Not(HasSubstr("larger than 256")));
+    sum.terrains.pop_back();
+    std::filesystem::resize_file(folder_ / "a.png", 10);
+    std::filesystem::resize_file(folder_ / "b.png", 20);
+    const auto carried = carryTerrainFiles(sum, folder_);
+    ASSERT_TRUE(carried) << toString(carried.problems());
+    EXPECT_EQ((*carried)->at("b.png").size(), 20U);
 }
 
 TEST_F(TerrainFileTest, MissingFilesAreNamed) {
