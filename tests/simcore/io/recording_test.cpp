@@ -312,7 +312,7 @@ TEST_F(RecordingTest, FilesOfTheGroundComeBackByTheirNames) {
     Random random(5);
     std::string large(2 * kFilePart + 12345, '\0');
     for (char& c : large) {
-        c = static_cast<char>(random.uniform(0.0, 256.0));
+        c = static_cast<char>(random.next());
     }
     const project::CarriedFiles files{
         {"../grounds/large.png", large}, {"/absolute.asc", "ncols 2\n"}, {"empty.obj", ""}};
