@@ -69,6 +69,8 @@ class StudioTest : public testing::Test {
 
     /// Presses a key where shortcuts are heard: on the window itself.
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        window->activateWindow();  // shortcuts are for the active window only
+        EXPECT_TRUE(QTest::qWaitForWindowActive(window.get()));
         window->setFocus();
         QTest::keyClick(window.get(), key, modifiers);
     }
