@@ -72,6 +72,10 @@ class Engine {
     virtual ~Engine() = default;
 
     virtual std::string name() const = 0;
+
+    /// How far before they touch this engine wants to know of contacts [m].
+    virtual double contactMargin() const { return 0.0; }
+
     /// Back to the drawn pose at the world's origin, at rest.
     virtual void reset() = 0;
     virtual void step(const StepInput& input) = 0;
@@ -106,6 +110,10 @@ double wheelRate(const mechanism::Wheel& wheel, const std::vector<Pose>& poses,
 /// Largest gap between the two bodies of any joint, along the directions it holds [m].
 double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses,
                  mechanism::Model model = mechanism::Model::Built);
+
+/// Independent rates instead of constraints, and Coulomb's cone (docs/engines.md).
+std::unique_ptr<Engine> makeReducedEngine(const mechanism::Mechanism& mechanism,
+                                          const EngineSettings& settings);
 
 /// What the ODE engine cannot run in this mechanism; empty when it can.
 Problems whyOdeCannotRun(const mechanism::Mechanism& mechanism);

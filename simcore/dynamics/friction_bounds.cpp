@@ -2,19 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace simcore::dynamics {
 namespace {
 
-// A contact of the last step is the same one when it is on the same disc and this near [m].
-constexpr double kSameContact = 0.03;
 // Agreement asked of limits and normal forces: relative, and absolute [N].
 constexpr double kTolerance = 0.02;
 constexpr double kToleranceForce = 0.02;
 // Below this share of its limit a tangential force gives the box no direction.
 constexpr double kDirected = 0.3;
-constexpr std::size_t kNumbersPerMemory = 9;
 
 // A narrow box's half width across its direction: its corners stand 2 % outside the cone.
 constexpr double kAcross = 0.2;
@@ -35,19 +31,6 @@ Vec3 tangentialPart(const Vec3& force, const Vec3& normal) {
 
 }  // namespace
 
-const FrictionBounds::Remembered* FrictionBounds::recall(const contact::Contact& contact) const {
-    const Remembered* best = nullptr;
-    double bestDistance = kSameContact;
-    for (const Remembered& old : memory_) {
-        const double distance = (old.point - contact.point).norm();
-        if (old.wheel == contact.wheel && old.slice == contact.slice && distance < bestDistance) {
-            best = &old;
-            bestDistance = distance;
-        }
-    }
-    return best;
-}
-
 void FrictionBounds::begin(std::span<const contact::Contact> contacts,
                            std::span<const double> frictions) {
     frictions_.assign(frictions.begin(), frictions.end());
@@ -56,10 +39,11 @@ void FrictionBounds::begin(std::span<const contact::Contact> contacts,
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         FrictionBox& box = boxes_[i];
         box.direction = contacts[i].forward;
-        if (const Remembered* old = recall(contacts[i])) {
+        if (const ContactMemory::Remembered* old = memory_.recall(contacts[i])) {
             box.fromNormalForce = false;
-            const Vec3 tangential = tangentialPart(old->tangential, contacts[i].normal);
-            const double limit = frictions[i] * old->normalForce;
+            const Vec3 tangential =
+                tangentialPart(tangentialPart(old->force, old->normal), contacts[i].normal);
+            const double limit = frictions[i] * std::max(0.0, old->force.dot(old->normal));
             setLimit(box, limit, tangential.norm() < kLoose * limit);
             if (tangential.norm() > kDirected * box.along && tangential.norm() > kToleranceForce) {
                 box.direction = tangential.normalized();
@@ -102,38 +86,6 @@ bool FrictionBounds::update(std::span<const contact::Contact> contacts,
         }
     }
     return agree;
-}
-
-void FrictionBounds::end(std::span<const contact::Contact> contacts, std::span<const Vec3> forces) {
-    memory_.resize(contacts.size());
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const contact::Contact& c = contacts[i];
-        memory_[i] = {c.wheel, c.slice, c.point, std::max(0.0, forces[i].dot(c.normal)),
-                      tangentialPart(forces[i], c.normal)};
-    }
-}
-
-void FrictionBounds::save(std::vector<double>& numbers) const {
-    for (const Remembered& m : memory_) {
-        numbers.insert(numbers.end(), {static_cast<double>(m.wheel), static_cast<double>(m.slice),
-                                       m.point.x(), m.point.y(), m.point.z(), m.normalForce,
-                                       m.tangential.x(), m.tangential.y(), m.tangential.z()});
-    }
-}
-
-void FrictionBounds::restore(std::span<const double> numbers) {
-    if (numbers.size() % kNumbersPerMemory != 0) {
-        throw std::invalid_argument("the state belongs to another mechanism");
-    }
-    memory_.clear();
-    for (std::size_t i = 0; i < numbers.size(); i += kNumbersPerMemory) {
-        const double* n = numbers.data() + i;
-        memory_.push_back({static_cast<int>(n[0]),
-                           static_cast<int>(n[1]),
-                           {n[2], n[3], n[4]},
-                           n[5],
-                           {n[6], n[7], n[8]}});
-    }
 }
 
 }  // namespace simcore::dynamics

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "simcore/contact/wheel_contact.h"
+#include "simcore/dynamics/contact_memory.h"
 
 /// Friction limits that follow the normal forces of the same step.
 ///
@@ -34,29 +34,23 @@ class FrictionBounds {
     /// after the step. True when they agree; else the boxes are improved.
     bool update(std::span<const contact::Contact> contacts, std::span<const Vec3> forces,
                 std::span<const Vec3> velocities);
+
     /// Remembers the forces of the accepted solve.
-    void end(std::span<const contact::Contact> contacts, std::span<const Vec3> forces);
+    void end(std::span<const contact::Contact> contacts, std::span<const Vec3> forces) {
+        memory_.remember(contacts, forces);
+    }
 
     void clear() { memory_.clear(); }
 
-    void save(std::vector<double>& numbers) const;
-    void restore(std::span<const double> numbers);
+    void save(std::vector<double>& numbers) const { memory_.save(numbers); }
+
+    void restore(std::span<const double> numbers) { memory_.restore(numbers); }
 
   private:
-    struct Remembered {
-        int wheel = 0;
-        int slice = 0;
-        Vec3 point = Vec3::Zero();
-        double normalForce = 0.0;
-        Vec3 tangential = Vec3::Zero();
-    };
-
-    const Remembered* recall(const contact::Contact& contact) const;
-
     std::vector<double> frictions_;
     int updates_ = 0;
     std::vector<FrictionBox> boxes_;
-    std::vector<Remembered> memory_;
+    ContactMemory memory_;
 };
 
 }  // namespace simcore::dynamics

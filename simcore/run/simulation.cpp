@@ -107,7 +107,7 @@ struct Simulation::Impl {
 Simulation::Impl::Impl(ResolvedRun settings, const dynamics::EngineMaker& makeEngine)
     : run(std::move(settings)),
       engine(makeEngine(run.mechanism, {run.step, dynamics::kGravity, run.joints})),
-      contactFinder(run.mechanism, *run.terrain),
+      contactFinder(run.mechanism, *run.terrain, 2, engine->contactMargin()),
       controller(control::makeController(run.mechanism, controllerSettings(run))),
       sensors(run.mechanism, run.sensors, run.seed),
       encoders(run.mechanism.encoderJoints()),

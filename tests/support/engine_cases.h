@@ -35,6 +35,7 @@ inline void PrintTo(const EngineCase& engine, std::ostream* out) {  // NOLINT: n
 inline const std::vector<EngineCase>& allEngines() {
     static const std::vector<EngineCase> engines{
         {"Ode", {Can::Contacts, Can::Joints}, simcore::dynamics::makeOdeEngine},
+        {"Reduced", {Can::Contacts, Can::Joints}, simcore::dynamics::makeReducedEngine},
         {"FreeBody", {Can::Contacts}, makeFreeBodyEngine}};
     return engines;
 }
@@ -66,7 +67,8 @@ class World {
 
     /// From here on the wheels touch this ground.
     void placeOn(const simcore::terrain::Terrain& terrain, double friction) {
-        finder_ = std::make_unique<simcore::contact::WheelContactFinder>(mechanism_, terrain);
+        finder_ = std::make_unique<simcore::contact::WheelContactFinder>(mechanism_, terrain, 2,
+                                                                         engine_->contactMargin());
         friction_ = friction;
     }
 

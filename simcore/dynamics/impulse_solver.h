@@ -1,0 +1,119 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "simcore/dynamics/spatial.h"
+
+/// One step's velocities under contacts, stops and motors.
+///
+/// The unknowns are the independent rates u of a mechanism:
+///
+///     A u = g + sum of what contacts, stops and motors push
+///
+/// A contact pushes with an impulse p at its point, whose velocity is v:
+///
+///     normal      p_n >= 0,  v_n + e_n p_n >= b,  one of them an equality
+///     sticking    v_t + e_t p_t = 0  while  |p_t| <= mu p_n
+///     sliding     p_t = -mu p_n v_t / |v_t|
+///
+/// that is Coulomb's cone with a little compliance, which makes the forces unique where wheels
+/// share a load. Solved by semi-smooth Newton in u (A. Kurdila; P. Alart and A. Curnier, Comput.
+/// Methods Appl. Mech. Eng. 92, 1991), which starts from the last step's impulses and needs one or
+/// two iterations; where it cycles, by nonsmooth nonlinear conjugate gradients (M. Silcowitz, S.
+/// Niebe and K. Erleben, Visual Computer 26, 2010), which converge.
+namespace simcore::dynamics {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// LU elimination without pivoting of a matrix whose pattern of zeros is known.
+class PatternedLu {
+  public:
+    /// Afresh for matrices of this size, with nothing off the diagonal.
+    void reset(int size);
+    /// These rows and columns meet in elements that are not zero.
+    void couple(const std::vector<int>& indices);
+    /// Adds what elimination fills.
+    void close();
+
+    /// Factors in place. Elements outside the pattern are not looked at.
+    void factor(RowMajor& matrix) const;
+    void solve(const RowMajor& factored, Eigen::VectorXd& x) const;
+
+  private:
+    int size_ = 0;
+    std::vector<std::vector<bool>> pattern_;
+    std::vector<std::vector<int>> after_;  ///< of every pivot, the later rows it meets
+};
+
+/// How the velocity of something follows from a few of the independent rates.
+struct RateMap {
+    std::vector<int> indices;
+    /// Per index, twist of the body.
+    std::vector<Vec6> twists;
+};
+
+struct ContactRow {
+    int body = 0;                          ///< index into ImpulseProblem::bodies
+    Eigen::Matrix<double, 6, 3> wrenches;  ///< unit impulses: normal and two tangential
+    double friction = 0.0;
+    double bound = 0.0;            ///< b [m/s]
+    Vec3 impulse = Vec3::Zero();   ///< guess, then solution [N s]
+    Vec3 velocity = Vec3::Zero();  ///< [m/s]
+};
+
+/// A push along one combination of rates: v + e p = b with p within limits.
+struct ScalarRow {
+    std::vector<int> indices;
+    std::vector<double> factors;
+    double compliance = 0.0;  ///< e
+    double bound = 0.0;       ///< b [rad/s]
+    double least = 0.0;       ///< [N m s]
+    double most = 0.0;
+    double impulse = 0.0;
+    /// A stop may begin the iteration pushing; a motor starts within its limits.
+    bool starts = false;
+};
+
+struct ImpulseProblem {
+    RowMajor mass;             ///< A, implicit forces included
+    Eigen::VectorXd momentum;  ///< g
+    std::vector<RateMap> bodies;
+    std::vector<ContactRow> contacts;
+    std::vector<ScalarRow> rows;
+    double normalCompliance = 0.0;      ///< e_n [1/kg]
+    double tangentialCompliance = 0.0;  ///< e_t [1/kg]
+    double tolerance = 0.0;             ///< of impulses [N s]
+};
+
+struct ImpulseCounters {
+    long iterations = 0;  ///< Newton's
+    long fallbacks = 0;   ///< steps that it did not solve
+    long failures = 0;    ///< steps that nothing solved within the tolerance
+};
+
+class ImpulseSolver {
+  public:
+    /// Solves for u, which comes with a guess, and for the impulses.
+    void solve(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
+               ImpulseCounters& counters);
+
+  private:
+    bool newton(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
+                ImpulseCounters& counters);
+    bool gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u);
+    void sweep(ImpulseProblem& problem, Eigen::VectorXd& impulses) const;
+
+    RowMajor matrix_;
+    Eigen::VectorXd right_;
+    std::vector<Eigen::Matrix<double, 6, 6>> stiff_;  ///< per body
+    std::vector<Vec6> push_;
+    std::vector<std::pair<Vec3, Mat3>> laws_;  ///< p0 and C of every contact
+    std::vector<int> limits_;  ///< per scalar row: -1, 0, 1 where it is held at a limit
+    RowMajor delassus_;
+    Eigen::VectorXd free_;
+};
+
+}  // namespace simcore::dynamics

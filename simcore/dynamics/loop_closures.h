@@ -1,0 +1,136 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "simcore/dynamics/spanning_tree.h"
+
+/// What the joints left over by a spanning tree, and the gears, demand of its rates.
+namespace simcore::dynamics {
+
+/// A rate of the tree as a sum of independent ones.
+struct RateTerm {
+    int index = 0;  ///< of the independent rate
+    double factor = 1.0;
+};
+
+/// Loops by coordinate partitioning (R. A. Wehage and E. J. Haug, J. Mech. Design 104, 1982), one
+/// cluster of loops that share joints at a time: in each cluster as many rates as its rank depend
+/// on the others. Which ones is chosen by elimination with complete pivoting, and again when the
+/// choice has become a poor one. Rows that the chosen ones do not need are redundant: their gap is
+/// only looked at.
+///
+/// Independent rates are numbered from the leaves of the tree to its root, which keeps matrices of
+/// them sparse under elimination.
+class LoopClosures {
+  public:
+    LoopClosures(const mechanism::Mechanism& mechanism, const SpanningTree& tree,
+                 mechanism::Model model);
+
+    /// Forgets choices and turns of gears: the state is the drawn one.
+    void reset(TreeState& state, TreeMotion& motion);
+
+    /// Moves the dependent coordinates until all loops are closed, places the motion there and
+    /// renews terms(). False when some loop stays open.
+    bool close(TreeState& state, TreeMotion& motion);
+
+    int independentCount() const { return static_cast<int>(rates_.size()); }
+
+    /// The tree's rate that an independent one is.
+    int rateOf(int index) const { return rates_[static_cast<std::size_t>(index)]; }
+
+    /// A rate by independent ones, at the pose closed last.
+    std::span<const RateTerm> terms(int rate) const {
+        const Span& at = spans_[static_cast<std::size_t>(rate)];
+        return {terms_.data() + at.first, terms_.data() + at.end};
+    }
+
+    /// Counts choices: patterns of matrices made for an older one are no longer right.
+    int choice() const { return choice_; }
+
+    /// Largest gap of any row, redundant ones included [rad, or wheelbases].
+    double gap() const { return gap_; }
+
+    /// Wrenches in the loops that give the tree these forces, least in norm where several do; adds
+    /// them to the wrenches on the tree's bodies and writes those of the left-over joints.
+    /// @param forces    per rate
+    /// @param wrenches  on the tree's bodies
+    /// @param joints    on the second body of each mechanism's joint
+    void react(const TreeMotion& motion, const std::vector<double>& forces,
+               std::vector<Vec6>& wrenches, std::vector<Vec6>& joints);
+
+    void save(std::vector<double>& numbers) const;
+    /// Takes its numbers off the front.
+    void restore(std::span<const double>& numbers);
+
+  private:
+    /// How a wrench between two bodies acts on a cluster's rates.
+    struct Arm {
+        int first = -1;
+        int second = -1;
+        std::vector<SignedRate> rates;
+        std::vector<int> columns;  ///< of the cluster, as long as `rates`
+    };
+
+    struct Closure {
+        int joint = -1;
+        int body = -1;  ///< one of the two that is in the tree
+        Arm arm;
+        std::vector<Vec3> heldSlides;  ///< first body's frame
+        std::vector<Vec3> turns;       ///< free ones
+        int row = 0;                   ///< first row in the cluster
+    };
+
+    struct Geared {
+        int gear = -1;
+        Arm arms[2];
+        double angles[2] = {0.0, 0.0};  ///< at the pose closed last, turns counted [rad]
+        double anglesNow[2] = {0.0, 0.0};
+        int row = 0;
+    };
+
+    struct Cluster {
+        std::vector<int> rates;
+        std::vector<Closure> closures;
+        std::vector<Geared> gears;
+        Eigen::MatrixXd jacobian;
+        Eigen::VectorXd gaps;
+        std::vector<int> dependent;    ///< columns
+        std::vector<int> independent;  ///< columns
+        std::vector<int> used;         ///< rows
+        Eigen::MatrixXd held;          ///< used rows, dependent columns; then its inverse
+        Eigen::MatrixXd solved;        ///< dependent rates by independent ones
+        Eigen::VectorXd correction;
+    };
+
+    struct Span {
+        int first = 0;
+        int end = 0;
+    };
+
+    void makeClusters(mechanism::Model model);
+    void evaluate(Cluster& cluster, const TreeMotion& motion) const;
+    /// Wrench of each of a closure's rows on its second body, with the gaps.
+    void evaluateClosure(const Closure& closure, const TreeMotion& motion,
+                         std::vector<Vec6>& wrenches, std::vector<double>& gaps) const;
+    void choose(Cluster& cluster) const;
+    /// Solves for the dependent rates; the smallest of the pivots over the largest.
+    double eliminate(Cluster& cluster) const;
+    void number();
+    void renewTerms();
+
+    const mechanism::Mechanism& mechanism_;
+    const SpanningTree& tree_;
+    double length_;  ///< makes gaps and turns comparable [m]
+    std::vector<Cluster> clusters_;
+    std::vector<int> rates_;
+    std::vector<Span> spans_;
+    std::vector<RateTerm> terms_;
+    std::vector<double> change_;
+    int choice_ = 0;
+    double gap_ = 0.0;
+    mutable std::vector<Vec6> rowWrenches_;
+    mutable std::vector<double> rowGaps_;
+};
+
+}  // namespace simcore::dynamics

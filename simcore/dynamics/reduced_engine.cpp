@@ -1,0 +1,743 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "simcore/dynamics/contact_memory.h"
+#include "simcore/dynamics/engine.h"
+#include "simcore/dynamics/impulse_solver.h"
+#include "simcore/dynamics/loop_closures.h"
+
+namespace simcore::dynamics {
+namespace {
+
+// Contacts are stiff springs with dampers, solved implicitly: the same physics at every step. The
+// damping is about critical for a wheel of 0.7 kg (assumed).
+constexpr double kContactStiffness = 1e6;  // [N/m]
+constexpr double kContactDamping = 1500;   // [N s/m]
+/// What a wheel that sticks creeps: 0.1 um/s per newton (assumed).
+constexpr double kStickingDamping = 1e7;  // [N s/m]
+/// Contacts are wanted from this far before they touch [m] (assumed).
+constexpr double kContactMargin = 1e-3;
+// The same for stops of joints, on arms of 0.1 m.
+constexpr double kStopStiffness = 1e4;  // [N m/rad]
+constexpr double kStopDamping = 15;     // [N m s/rad]
+/// Stops further away than this are left out [rad].
+constexpr double kStopMargin = 0.2;
+/// A motor within its limit holds its rate to 1 urad/s per newton metre (assumed).
+constexpr double kMotorDamping = 1e6;  // [N m s/rad]
+/// Square of angular frequency times step from which a spring is stiff: symplectic Euler is stable
+/// up to 4.
+constexpr double kStiffSpring = 0.5;
+/// Agreement asked of contact forces [N].
+constexpr double kForceTolerance = 1e-3;
+
+/// A wrench that acts between two bodies.
+struct Between {
+    int first = -1;
+    int second = -1;
+    std::vector<SignedRate> rates;
+};
+
+/// A spring or damper and how far it was before the step.
+struct Elastic {
+    const mechanism::Spring* spring = nullptr;  ///< null: only a damper
+    int joint = -1;                             ///< its axis; -1: between two points
+    double damping = 0.0;
+    Between between;
+    bool implicit = false;  ///< too stiff for the step to swing
+
+    // in this step
+    Vec6 wrench = Vec6::Zero();  ///< per unit of force or torque, on the second body
+    double push = 0.0;           ///< at its length before the step, without damping
+    double resisted = 0.0;       ///< per unit of rate at the end of the step [N s/m] or [N m s/rad]
+};
+
+/// A root that floats, and all that hangs from it.
+struct Float {
+    int body = -1;            ///< of the mechanism
+    int rate = 0;             ///< the first of its six
+    std::vector<int> bodies;  ///< positions in the tree
+};
+
+struct Turner {
+    int joint = -1;
+    Between between;
+};
+
+class ReducedEngine final : public Engine {
+  public:
+    ReducedEngine(const mechanism::Mechanism& mechanism, const EngineSettings& settings);
+
+    std::string name() const override { return "reduced"; }
+
+    double contactMargin() const override { return kContactMargin; }
+
+    void reset() override;
+    void step(const StepInput& input) override;
+
+    const std::vector<Pose>& poses() const override { return motion_.poses(); }
+
+    const std::vector<BodyVelocity>& velocities() const override { return velocities_; }
+
+    const std::vector<Vec3>& contactForces() const override { return contactForces_; }
+
+    const std::vector<JointReaction>& jointReactions() const override;
+
+    std::vector<double> saveState() const override;
+    void restoreState(std::span<const double> state) override;
+
+    const EngineCounters& counters() const override { return counters_; }
+
+  private:
+    Between between(int first, int second) const;
+    void push(const Between& between, const Vec6& wrench, std::vector<Vec6>& wrenches) const;
+    Vec6 axisOf(const mechanism::Joint& joint) const;
+    double rateOf(const Between& between, const Vec6& wrench) const;
+    void toIndependent(const Between& between, const Vec6& wrench, std::vector<int>& indices,
+                       std::vector<double>& factors) const;
+    void makePattern();
+    void mapWheels();
+    void applyTorques(const StepInput& input);
+    void applyElastics();
+    void chooseImplicit();
+    void makeMass();
+    void makeContacts(const StepInput& input);
+    void makeStops();
+    void makeMotors(const StepInput& input);
+    void conserveMomentum();
+    void takeMomentum();
+    void finish(const StepInput& input);
+    void updateVelocities();
+
+    const mechanism::Mechanism mechanism_;
+    EngineSettings settings_;
+    SpanningTree tree_;
+    TreeMotion motion_;
+    LoopClosures loops_;
+    std::vector<Elastic> elastics_;
+    std::vector<Turner> turners_;  ///< of every joint
+    std::vector<Float> floats_;
+    TreeState state_;
+    std::vector<Vec6> momenta_;  ///< of what floats, about momentaPoints_
+    std::vector<Vec3> momentaPoints_;
+    ContactMemory memory_;
+
+    int choice_ = -1;
+    PatternedLu lu_;
+    ImpulseProblem problem_;
+    ImpulseSolver solver_;
+    ImpulseCounters impulses_;
+    std::vector<int> rowJoints_;  ///< joint of each scalar row
+    std::vector<Vec6> rowWrenches_;
+    std::vector<Vec6> wrenches_;  ///< on the tree's bodies from outside, gravity not included
+    std::vector<double> forces_;
+    std::vector<double> accelerations_;
+    std::vector<double> change_;
+    std::vector<std::size_t> places_;  ///< of independent rates in a wheel's map
+    Eigen::VectorXd u_;
+    std::vector<Vec6> twists_;
+    std::vector<BodyVelocity> velocities_;
+    std::vector<Vec3> contactForces_;
+
+    // The last step, for its reactions.
+    TreeState before_;
+    std::vector<double> ratesAfter_;
+    std::vector<Vec6> jointPushes_;  ///< by stops and motors, on the second body
+    mutable TreeMotion scratch_;
+    mutable LoopClosures scratchLoops_;
+    mutable bool reactionsKnown_ = false;
+    mutable std::vector<JointReaction> reactions_;
+    EngineCounters counters_;
+};
+
+ReducedEngine::ReducedEngine(const mechanism::Mechanism& mechanism, const EngineSettings& settings)
+    : mechanism_(mechanism),
+      settings_(settings),
+      tree_(mechanism_, settings.joints),
+      motion_(mechanism_, tree_),
+      loops_(mechanism_, tree_, settings.joints),
+      scratch_(mechanism_, tree_),
+      scratchLoops_(mechanism_, tree_, settings.joints) {
+    for (const mechanism::Spring& spring : mechanism_.springs) {
+        Elastic elastic;
+        elastic.spring = &spring;
+        elastic.joint = spring.joint;
+        elastic.damping = spring.damping;
+        elastic.between = between(spring.first, spring.second);
+        elastics_.push_back(std::move(elastic));
+    }
+    for (std::size_t i = 0; i < mechanism_.joints.size(); ++i) {
+        const mechanism::Joint& joint = mechanism_.joints[i];
+        turners_.push_back({static_cast<int>(i), between(joint.first, joint.second)});
+        if (joint.damping > 0.0) {
+            Elastic elastic;
+            elastic.joint = static_cast<int>(i);
+            elastic.damping = joint.damping;
+            elastic.between = turners_.back().between;
+            elastics_.push_back(std::move(elastic));
+        }
+    }
+    std::vector<int> floatOf;
+    for (const TreeBody& at : tree_.bodies()) {
+        const int position = static_cast<int>(floatOf.size());
+        if (at.parent >= 0) {
+            floatOf.push_back(floatOf[static_cast<std::size_t>(at.parent)]);
+        } else if (at.joint < 0) {
+            floatOf.push_back(static_cast<int>(floats_.size()));
+            floats_.push_back({at.body, at.elements.front().rate, {}});
+        } else {
+            floatOf.push_back(-1);
+        }
+        if (floatOf.back() >= 0) {
+            floats_[static_cast<std::size_t>(floatOf.back())].bodies.push_back(position);
+        }
+    }
+    const auto bodies = tree_.bodies().size();
+    const auto rates = static_cast<std::size_t>(tree_.rateCount());
+    wrenches_.assign(bodies, Vec6::Zero());
+    twists_.assign(bodies, Vec6::Zero());
+    forces_.assign(rates, 0.0);
+    accelerations_.assign(rates, 0.0);
+    change_.assign(rates, 0.0);
+    reset();
+}
+
+Between ReducedEngine::between(int first, int second) const {
+    return {first, second, relativeRates(tree_, first, second)};
+}
+
+void ReducedEngine::reset() {
+    state_ = tree_.drawnState();
+    loops_.reset(state_, motion_);
+    momenta_.assign(floats_.size(), Vec6::Zero());
+    momentaPoints_.assign(floats_.size(), Vec3::Zero());
+    memory_.clear();
+    contactForces_.clear();
+    reactions_.clear();
+    reactionsKnown_ = true;
+    counters_ = {};
+    impulses_ = {};
+    velocities_.assign(mechanism_.bodies.size(), {});
+    chooseImplicit();
+}
+
+void ReducedEngine::push(const Between& between, const Vec6& wrench,
+                         std::vector<Vec6>& wrenches) const {
+    if (const int at = tree_.positionOf(between.second); at >= 0) {
+        wrenches[static_cast<std::size_t>(at)] += wrench;
+    }
+    if (const int at = tree_.positionOf(between.first); at >= 0) {
+        wrenches[static_cast<std::size_t>(at)] -= wrench;
+    }
+}
+
+Vec6 ReducedEngine::axisOf(const mechanism::Joint& joint) const {
+    return spatial(motion_.poses()[static_cast<std::size_t>(joint.first)].rotation * joint.axis,
+                   Vec3::Zero());
+}
+
+double ReducedEngine::rateOf(const Between& between, const Vec6& wrench) const {
+    double rate = 0.0;
+    for (const SignedRate& signed_ : between.rates) {
+        const auto j = static_cast<std::size_t>(signed_.rate);
+        rate += signed_.sign * wrench.dot(motion_.screws()[j]) * state_.rates[j];
+    }
+    return rate;
+}
+
+void ReducedEngine::toIndependent(const Between& between, const Vec6& wrench,
+                                  std::vector<int>& indices, std::vector<double>& factors) const {
+    indices.clear();
+    factors.clear();
+    for (const SignedRate& signed_ : between.rates) {
+        const double lever =
+            signed_.sign * wrench.dot(motion_.screws()[static_cast<std::size_t>(signed_.rate)]);
+        for (const RateTerm& term : loops_.terms(signed_.rate)) {
+            const auto at = std::find(indices.begin(), indices.end(), term.index);
+            if (at == indices.end()) {
+                indices.push_back(term.index);
+                factors.push_back(lever * term.factor);
+            } else {
+                factors[static_cast<std::size_t>(at - indices.begin())] += lever * term.factor;
+            }
+        }
+    }
+}
+
+void ReducedEngine::makePattern() {
+    choice_ = loops_.choice();
+    const int n = loops_.independentCount();
+    lu_.reset(n);
+    const auto wayOf = [this](const TreeBody& at) {
+        std::vector<SignedRate> rates;
+        for (int rate = at.lastRate; rate >= 0; rate = tree_.rateBefore(rate)) {
+            rates.push_back({rate, 1.0});
+        }
+        return rates;
+    };
+    const auto indicesOf = [this](const std::vector<SignedRate>& rates) {
+        std::vector<int> indices;
+        for (const SignedRate& signed_ : rates) {
+            for (const RateTerm& term : loops_.terms(signed_.rate)) {
+                indices.push_back(term.index);
+            }
+        }
+        return indices;
+    };
+    for (const TreeBody& at : tree_.bodies()) {
+        lu_.couple(indicesOf(wayOf(at)));
+    }
+    problem_.bodies.clear();
+    for (const mechanism::Wheel& wheel : mechanism_.wheels) {
+        RateMap map;
+        if (const int at = tree_.positionOf(wheel.body); at >= 0) {
+            map.indices = indicesOf(wayOf(tree_.bodies()[static_cast<std::size_t>(at)]));
+            std::sort(map.indices.begin(), map.indices.end());
+            map.indices.erase(std::unique(map.indices.begin(), map.indices.end()),
+                              map.indices.end());
+        }
+        map.twists.resize(map.indices.size());
+        problem_.bodies.push_back(std::move(map));
+    }
+    for (const Elastic& elastic : elastics_) {
+        lu_.couple(indicesOf(elastic.between.rates));
+    }
+    for (const Turner& turner : turners_) {
+        lu_.couple(indicesOf(turner.between.rates));
+    }
+    lu_.close();
+    problem_.mass.resize(n, n);
+    problem_.momentum.resize(n);
+}
+
+void ReducedEngine::mapWheels() {
+    places_.resize(static_cast<std::size_t>(loops_.independentCount()));
+    for (std::size_t w = 0; w < mechanism_.wheels.size(); ++w) {
+        const int position = tree_.positionOf(mechanism_.wheels[w].body);
+        RateMap& map = problem_.bodies[w];
+        for (std::size_t i = 0; i < map.indices.size(); ++i) {
+            map.twists[i].setZero();
+            places_[static_cast<std::size_t>(map.indices[i])] = i;
+        }
+        int rate = position < 0 ? -1 : tree_.bodies()[static_cast<std::size_t>(position)].lastRate;
+        for (; rate >= 0; rate = tree_.rateBefore(rate)) {
+            for (const RateTerm& term : loops_.terms(rate)) {
+                map.twists[places_[static_cast<std::size_t>(term.index)]] +=
+                    term.factor * motion_.screws()[static_cast<std::size_t>(rate)];
+            }
+        }
+    }
+}
+
+void ReducedEngine::applyTorques(const StepInput& input) {
+    std::fill(wrenches_.begin(), wrenches_.end(), Vec6::Zero());
+    for (std::size_t i = 0; i < mechanism_.wheels.size(); ++i) {
+        const mechanism::Wheel& wheel = mechanism_.wheels[i];
+        const Vec3 axis =
+            motion_.poses()[static_cast<std::size_t>(wheel.body)].rotation * wheel.axis;
+        const auto act = [&](int body, double torque) {
+            if (const int at = tree_.positionOf(body); at >= 0) {
+                wrenches_[static_cast<std::size_t>(at)] += spatial(torque * axis, Vec3::Zero());
+            }
+        };
+        act(wheel.body, input.wheelTorques[i] + input.externalTorques[i]);
+        act(wheel.carrier, -input.wheelTorques[i]);
+    }
+}
+
+// Dampers push with their rate after the step, so that no damping is too strong for it.
+void ReducedEngine::applyElastics() {
+    const double dt = settings_.step;
+    for (Elastic& elastic : elastics_) {
+        double stiffness = 0.0;
+        elastic.push = 0.0;
+        if (elastic.joint >= 0) {
+            const mechanism::Joint& joint =
+                mechanism_.joints[static_cast<std::size_t>(elastic.joint)];
+            elastic.wrench = axisOf(joint);
+            if (elastic.spring != nullptr) {
+                stiffness = elastic.spring->stiffness;
+                elastic.push =
+                    elastic.spring->preload - stiffness * jointAngle(joint, motion_.poses());
+            }
+        } else {
+            const mechanism::Spring& spring = *elastic.spring;
+            const Vec3 a =
+                motion_.poses()[static_cast<std::size_t>(spring.first)] * spring.firstPoint;
+            const Vec3 b =
+                motion_.poses()[static_cast<std::size_t>(spring.second)] * spring.secondPoint;
+            const Vec3 direction = (b - a).normalized();
+            const double drawn = (spring.secondPoint - spring.firstPoint).norm();
+            elastic.wrench = forceAt(
+                direction, b - motion_.origin(tree_.positionOf(spring.second) >= 0 ? spring.second
+                                                                                   : spring.first));
+            stiffness = spring.stiffness;
+            elastic.push = spring.preload + stiffness * (drawn - (b - a).norm());
+        }
+        elastic.resisted = elastic.damping + (elastic.implicit ? dt * stiffness : 0.0);
+        push(elastic.between, elastic.push * elastic.wrench, wrenches_);
+    }
+}
+
+// Springs push with their length before the step, which keeps energy, unless they are so stiff that
+// a step is too long for them: those push with their length after it, which damps them.
+void ReducedEngine::chooseImplicit() {
+    makePattern();
+    motion_.weigh();
+    std::fill(wrenches_.begin(), wrenches_.end(), Vec6::Zero());
+    for (Elastic& elastic : elastics_) {
+        elastic.implicit = false;
+    }
+    applyElastics();
+    makeMass();
+    RowMajor mass = problem_.mass;
+    lu_.factor(mass);
+    std::vector<int> indices;
+    std::vector<double> factors;
+    for (Elastic& elastic : elastics_) {
+        if (elastic.spring == nullptr) {
+            continue;
+        }
+        toIndependent(elastic.between, elastic.wrench, indices, factors);
+        Eigen::VectorXd push = Eigen::VectorXd::Zero(loops_.independentCount());
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            push[indices[i]] = factors[i];
+        }
+        Eigen::VectorXd moved = push;
+        lu_.solve(mass, moved);
+        const double square = elastic.spring->stiffness * push.dot(moved);  // [rad^2/s^2]
+        elastic.implicit = settings_.step * settings_.step * square > kStiffSpring;
+    }
+}
+
+void ReducedEngine::makeMass() {
+    const double dt = settings_.step;
+    problem_.mass.setZero();
+    motion_.massMatrix([this](int i, int j, double value) {
+        for (const RateTerm& a : loops_.terms(i)) {
+            for (const RateTerm& b : loops_.terms(j)) {
+                const double part = a.factor * b.factor * value;
+                problem_.mass(a.index, b.index) += part;
+                if (i != j) {
+                    problem_.mass(b.index, a.index) += part;
+                }
+            }
+        }
+    });
+    // The momentum that the old rates bring, with the forces of a step, within what joints allow.
+    for (std::size_t i = 0; i < accelerations_.size(); ++i) {
+        accelerations_[i] = -state_.rates[i] / dt;
+    }
+    motion_.inverseDynamics(state_.rates, accelerations_, settings_.gravity, wrenches_, forces_);
+    conserveMomentum();
+    problem_.momentum.setZero();
+    for (std::size_t j = 0; j < forces_.size(); ++j) {
+        for (const RateTerm& term : loops_.terms(static_cast<int>(j))) {
+            problem_.momentum[term.index] -= dt * term.factor * forces_[j];
+        }
+    }
+    std::vector<int> indices;
+    std::vector<double> factors;
+    for (const Elastic& elastic : elastics_) {
+        toIndependent(elastic.between, elastic.wrench, indices, factors);
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            for (std::size_t j = 0; j < indices.size(); ++j) {
+                problem_.mass(indices[i], indices[j]) +=
+                    dt * elastic.resisted * factors[i] * factors[j];
+            }
+        }
+    }
+}
+
+// What floats keeps its momentum to the last digit: the rates of its root are asked for what it had
+// after the last step and what came from outside since, not for inertia times old rates at the new
+// pose, which is the same to first order only.
+void ReducedEngine::conserveMomentum() {
+    const double dt = settings_.step;
+    for (std::size_t k = 0; k < floats_.size(); ++k) {
+        const Float& root = floats_[k];
+        Vec6 momentum = momenta_[k];
+        momentum.head<3>() -=
+            (motion_.origin(root.body) - momentaPoints_[k]).cross(momentum.tail<3>());
+        for (const int body : root.bodies) {
+            const auto b = static_cast<std::size_t>(body);
+            momentum += dt * (wrenches_[b] + motion_.weight(b, settings_.gravity));
+        }
+        for (int rate = root.rate; rate < root.rate + 6; ++rate) {
+            const auto j = static_cast<std::size_t>(rate);
+            forces_[j] = -motion_.screws()[j].dot(momentum) / dt;
+        }
+    }
+}
+
+void ReducedEngine::takeMomentum() {
+    motion_.twists(state_.rates, twists_);
+    for (std::size_t k = 0; k < floats_.size(); ++k) {
+        Vec6& momentum = momenta_[k];
+        momentum.setZero();
+        momentaPoints_[k] = motion_.origin(floats_[k].body);
+        for (const int body : floats_[k].bodies) {
+            const auto b = static_cast<std::size_t>(body);
+            momentum += motion_.inertia(b) * twists_[b];
+        }
+    }
+}
+
+void ReducedEngine::makeContacts(const StepInput& input) {
+    const double dt = settings_.step;
+    problem_.normalCompliance = 1.0 / (dt * (kContactStiffness * dt + kContactDamping));
+    problem_.tangentialCompliance = 1.0 / (dt * kStickingDamping);
+    problem_.tolerance = kForceTolerance * dt;
+    problem_.contacts.resize(input.contacts.size());
+    for (std::size_t i = 0; i < input.contacts.size(); ++i) {
+        const contact::Contact& touch = input.contacts[i];
+        ContactRow& row = problem_.contacts[i];
+        row.body = touch.wheel;
+        const int body = mechanism_.wheels[static_cast<std::size_t>(touch.wheel)].body;
+        const Vec3 arm = touch.point - motion_.origin(body);
+        const Vec3 side = touch.normal.cross(touch.forward);
+        row.wrenches.col(0) = forceAt(touch.normal, arm);
+        row.wrenches.col(1) = forceAt(touch.forward, arm);
+        row.wrenches.col(2) = forceAt(side, arm);
+        row.friction = input.frictions[i];
+        row.bound = touch.depth > 0.0 ? touch.depth * kContactStiffness /
+                                            (kContactStiffness * dt + kContactDamping)
+                                      : touch.depth / dt;
+        row.impulse.setZero();
+        if (const ContactMemory::Remembered* old = memory_.recall(touch)) {
+            row.impulse = dt * Vec3(old->force.dot(touch.normal), old->force.dot(touch.forward),
+                                    old->force.dot(side));
+        }
+    }
+}
+
+void ReducedEngine::makeStops() {
+    const double dt = settings_.step;
+    for (const Turner& turner : turners_) {
+        const mechanism::Joint& joint = mechanism_.joints[static_cast<std::size_t>(turner.joint)];
+        if (!joint.stops) {
+            continue;
+        }
+        const double angle = jointAngle(joint, motion_.poses());
+        for (const double sign : {1.0, -1.0}) {
+            const double gap =
+                sign > 0.0 ? angle - joint.stops->first : joint.stops->second - angle;
+            const Vec6 wrench = sign * axisOf(joint);
+            if (gap > kStopMargin + std::abs(rateOf(turner.between, wrench)) * dt) {
+                continue;
+            }
+            ScalarRow row;
+            toIndependent(turner.between, wrench, row.indices, row.factors);
+            row.compliance = 1.0 / (dt * (kStopStiffness * dt + kStopDamping));
+            row.bound = gap < 0.0 ? -gap * kStopStiffness / (kStopStiffness * dt + kStopDamping)
+                                  : -gap / dt;
+            row.least = 0.0;
+            row.most = std::numeric_limits<double>::infinity();
+            row.starts = gap < 0.0;
+            problem_.rows.push_back(std::move(row));
+            rowJoints_.push_back(turner.joint);
+            rowWrenches_.push_back(wrench);
+        }
+    }
+}
+
+void ReducedEngine::makeMotors(const StepInput& input) {
+    const double dt = settings_.step;
+    for (const JointMotor& motor : input.motors) {
+        const Turner& turner = turners_[static_cast<std::size_t>(motor.joint)];
+        const Vec6 wrench = axisOf(mechanism_.joints[static_cast<std::size_t>(motor.joint)]);
+        ScalarRow row;
+        toIndependent(turner.between, wrench, row.indices, row.factors);
+        row.compliance = 1.0 / (dt * kMotorDamping);
+        row.bound = motor.rate;
+        row.most = dt * motor.torqueLimit;
+        row.least = -row.most;
+        row.starts = true;
+        problem_.rows.push_back(std::move(row));
+        rowJoints_.push_back(motor.joint);
+        rowWrenches_.push_back(wrench);
+    }
+}
+
+void ReducedEngine::step(const StepInput& input) {
+    if (choice_ != loops_.choice()) {
+        makePattern();
+    }
+    motion_.weigh();
+    mapWheels();
+    applyTorques(input);
+    applyElastics();
+    makeMass();
+    makeContacts(input);
+    problem_.rows.clear();
+    rowJoints_.clear();
+    rowWrenches_.clear();
+    makeStops();
+    makeMotors(input);
+    u_.resize(loops_.independentCount());
+    for (Eigen::Index i = 0; i < u_.size(); ++i) {
+        u_[i] = state_.rates[static_cast<std::size_t>(loops_.rateOf(static_cast<int>(i)))];
+    }
+    solver_.solve(problem_, lu_, u_, impulses_);
+    finish(input);
+}
+
+void ReducedEngine::finish(const StepInput& input) {
+    const double dt = settings_.step;
+    before_ = state_;
+    for (std::size_t j = 0; j < state_.rates.size(); ++j) {
+        double rate = 0.0;
+        for (const RateTerm& term : loops_.terms(static_cast<int>(j))) {
+            rate += term.factor * u_[term.index];
+        }
+        state_.rates[j] = rate;
+        change_[j] = dt * rate;
+    }
+    ratesAfter_ = state_.rates;
+    contactForces_.resize(input.contacts.size());
+    for (std::size_t i = 0; i < input.contacts.size(); ++i) {
+        const ContactRow& row = problem_.contacts[i];
+        const Vec6 wrench = row.wrenches * row.impulse / dt;
+        contactForces_[i] = wrench.tail<3>();
+        const int body = mechanism_.wheels[static_cast<std::size_t>(row.body)].body;
+        if (const int at = tree_.positionOf(body); at >= 0) {
+            wrenches_[static_cast<std::size_t>(at)] += wrench;
+        }
+    }
+    for (const Elastic& elastic : elastics_) {
+        push(elastic.between,
+             -elastic.resisted * rateOf(elastic.between, elastic.wrench) * elastic.wrench,
+             wrenches_);
+    }
+    jointPushes_.assign(mechanism_.joints.size(), Vec6::Zero());
+    for (std::size_t k = 0; k < problem_.rows.size(); ++k) {
+        jointPushes_[static_cast<std::size_t>(rowJoints_[k])] +=
+            problem_.rows[k].impulse / dt * rowWrenches_[k];
+    }
+    memory_.remember(input.contacts, contactForces_);
+    takeMomentum();
+    updateVelocities();
+    advance(tree_, state_, change_);
+    if (!loops_.close(state_, motion_)) {
+        ++counters_.solverMessages;
+    }
+    reactionsKnown_ = false;
+    ++counters_.steps;
+    counters_.passes = impulses_.iterations;
+}
+
+// Those of the step's motion: at the pose that the rates were solved at.
+void ReducedEngine::updateVelocities() {
+    for (std::size_t k = 0; k < twists_.size(); ++k) {
+        const auto body = static_cast<std::size_t>(tree_.bodies()[k].body);
+        const Vec3 center = motion_.poses()[body] * mechanism_.bodies[body].com -
+                            motion_.origin(tree_.bodies()[k].body);
+        const Vec3 angular = twists_[k].head<3>();
+        velocities_[body] = {twists_[k].tail<3>() + angular.cross(center), angular};
+    }
+}
+
+// Newton and Euler's equations of every body give what its joint carries, once the loops' share is
+// known: that follows from what the tree alone cannot balance.
+const std::vector<JointReaction>& ReducedEngine::jointReactions() const {
+    if (reactionsKnown_) {
+        return reactions_;
+    }
+    reactionsKnown_ = true;
+    scratch_.place(before_);
+    scratch_.weigh();
+    std::vector<Vec6> wrenches = wrenches_;
+    std::vector<Vec6> joints = jointPushes_;
+    for (const Turner& turner : turners_) {
+        push(turner.between, jointPushes_[static_cast<std::size_t>(turner.joint)], wrenches);
+    }
+    std::vector<double> accelerations(ratesAfter_.size());
+    for (std::size_t j = 0; j < accelerations.size(); ++j) {
+        accelerations[j] = (ratesAfter_[j] - before_.rates[j]) / settings_.step;
+    }
+    std::vector<double> forces(accelerations.size(), 0.0);
+    scratch_.inverseDynamics(before_.rates, accelerations, settings_.gravity, wrenches, forces);
+    scratchLoops_.react(scratch_, forces, wrenches, joints);
+    std::vector<Vec6> transmitted;
+    scratch_.inverseDynamics(before_.rates, accelerations, settings_.gravity, wrenches, forces,
+                             &transmitted);
+    for (std::size_t k = 0; k < transmitted.size(); ++k) {
+        const TreeBody& at = tree_.bodies()[k];
+        if (at.joint >= 0) {
+            const auto joint = static_cast<std::size_t>(at.joint);
+            const bool forwards = mechanism_.joints[joint].second == at.body;
+            joints[joint] += forwards ? transmitted[k] : Vec6(-transmitted[k]);
+        }
+    }
+    reactions_.resize(joints.size());
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        const mechanism::Joint& joint = mechanism_.joints[i];
+        const Vec3 point =
+            scratch_.poses()[static_cast<std::size_t>(joint.second)] * joint.point -
+            scratch_.origin(tree_.positionOf(joint.second) >= 0 ? joint.second : joint.first);
+        const Vec3 force = joints[i].tail<3>();
+        reactions_[i] = {force, joints[i].head<3>() - point.cross(force)};
+    }
+    return reactions_;
+}
+
+std::vector<double> ReducedEngine::saveState() const {
+    std::vector<double> numbers = state_.coordinates;
+    numbers.insert(numbers.end(), state_.rates.begin(), state_.rates.end());
+    for (const Eigen::Quaterniond& ball : state_.balls) {
+        numbers.insert(numbers.end(), {ball.x(), ball.y(), ball.z(), ball.w()});
+    }
+    for (std::size_t k = 0; k < momenta_.size(); ++k) {
+        numbers.insert(numbers.end(), momenta_[k].begin(), momenta_[k].end());
+        numbers.insert(numbers.end(), momentaPoints_[k].begin(), momentaPoints_[k].end());
+    }
+    for (const BodyVelocity& velocity : velocities_) {
+        for (const Vec3& v : {velocity.linear, velocity.angular}) {
+            numbers.insert(numbers.end(), v.begin(), v.end());
+        }
+    }
+    loops_.save(numbers);
+    memory_.save(numbers);
+    return numbers;
+}
+
+void ReducedEngine::restoreState(std::span<const double> numbers) {
+    const std::size_t n = state_.rates.size();
+    const std::size_t first = 2 * n + 4 * state_.balls.size();
+    const std::size_t own = first + 9 * momenta_.size() + 6 * velocities_.size();
+    if (numbers.size() < own) {
+        throw std::invalid_argument("the state belongs to another mechanism");
+    }
+    std::copy_n(numbers.begin(), n, state_.coordinates.begin());
+    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(n), n, state_.rates.begin());
+    for (std::size_t i = 0; i < state_.balls.size(); ++i) {
+        const double* q = numbers.data() + 2 * n + 4 * i;
+        state_.balls[i].coeffs() = Eigen::Vector4d(q[0], q[1], q[2], q[3]);
+    }
+    const double* six = numbers.data() + first;
+    for (std::size_t k = 0; k < momenta_.size(); ++k) {
+        momenta_[k] = Vec6(six);
+        momentaPoints_[k] = Vec3(six + 6);
+        six += 9;
+    }
+    for (BodyVelocity& velocity : velocities_) {
+        velocity = {Vec3(six), Vec3(six + 3)};
+        six += 6;
+    }
+    std::span<const double> rest = numbers.subspan(own);
+    loops_.restore(rest);
+    memory_.restore(rest);
+    loops_.close(state_, motion_);
+    reactionsKnown_ = true;
+    reactions_.clear();
+}
+
+}  // namespace
+
+std::unique_ptr<Engine> makeReducedEngine(const mechanism::Mechanism& mechanism,
+                                          const EngineSettings& settings) {
+    return std::make_unique<ReducedEngine>(mechanism, settings);
+}
+
+}  // namespace simcore::dynamics
