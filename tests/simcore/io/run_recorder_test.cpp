@@ -14,6 +14,7 @@
 
 #include "simcore/io/run_report_json.h"
 #include "tests/support/fake_run.h"
+#include "tests/support/wait.h"
 
 namespace simcore::io {
 namespace {
@@ -24,17 +25,7 @@ using run::RunWorker;
 using run::WorkerState;
 using ::testing::HasSubstr;
 
-template <class Condition>
-bool waitUntil(Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + 30s;
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > end) {
-            return false;
-        }
-        std::this_thread::sleep_for(1ms);
-    }
-    return true;
-}
+using testsupport::waitUntil;
 
 /// Fails at a step, and cannot tell what it was then.
 class Broken final : public run::Stepper {

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "tests/support/fake_run.h"
+#include "tests/support/wait.h"
 
 namespace simcore::run {
 namespace {
@@ -31,18 +32,7 @@ struct Drained {
     }
 };
 
-/// Polls as a window does until `condition` holds; false after 30 s.
-template <class Condition>
-bool waitUntil(Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + 30s;
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > end) {
-            return false;
-        }
-        std::this_thread::sleep_for(1ms);
-    }
-    return true;
-}
+using testsupport::waitUntil;
 
 bool waitFinished(RunWorker& worker) {
     return waitUntil([&] { return worker.state() == WorkerState::Finished; });
