@@ -1,7 +1,9 @@
 #include "simcore/contact/wheel_contact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 namespace simcore::contact {
 namespace {
@@ -116,6 +118,62 @@ void WheelContactFinder::findInner(int index, const Vec3& center, const Vec3& ax
     }
 }
 
+// A face that leans in touches side and rim at one and the same point: the rim has it already.
+void WheelContactFinder::findSides(int index, const Vec3& center, const Vec3& axis,
+                                   std::size_t first) {
+    if (slices_ < 2) {
+        return;
+    }
+    constexpr double kSamePoint = 1e-3;  // [m], assumed
+    const mechanism::Wheel& wheel = mechanism_.wheels[static_cast<std::size_t>(index)];
+    const Vec3 forward = planeOf(center, axis).u;
+    const Cylinder cylinder{center, axis, forward, wheel.radius, kOuterSlice * wheel.width};
+    const std::vector<SideContact>& sides = side_.find(terrain_, cylinder, margin_);
+    if (sides.empty()) {
+        return;
+    }
+    dropOvertopped(sides, first);
+    const std::size_t rimEnd = contacts_.size();
+    for (const SideContact& contact : sides) {
+        const bool known = std::any_of(contacts_.begin() + static_cast<std::ptrdiff_t>(first),
+                                       contacts_.begin() + static_cast<std::ptrdiff_t>(rimEnd),
+                                       [&](const Contact& c) {
+                                           return c.normal.dot(contact.normal) > kLikeNormal &&
+                                                  (c.point - contact.point).norm() < kSamePoint;
+                                       });
+        if (!known) {
+            const Vec3 along = forward - forward.dot(contact.normal) * contact.normal;
+            contacts_.push_back(
+                {index, kSide, contact.point, contact.normal, along.normalized(), contact.depth});
+        }
+    }
+}
+
+// A wheel that slides sideways against a kerb has its outer slice a little inside the kerb, and
+// deep below the kerb's top. It is to be held by its side, not thrown onto the kerb.
+void WheelContactFinder::dropOvertopped(const std::vector<SideContact>& sides, std::size_t first) {
+    constexpr double kDeep = 1e-3;  // [m], assumed: wheels that stand on something are less deep
+    std::array<double, 2> sideDepth{-1.0, -1.0};  // of the slice against and along the axis
+    for (const SideContact& side : sides) {
+        double& depth = sideDepth[side.onAxisSide ? 1 : 0];
+        depth = std::max(depth, side.depth);
+    }
+    kept_.clear();
+    const auto begin = contacts_.begin() + static_cast<std::ptrdiff_t>(first);
+    std::copy_if(begin, contacts_.end(), std::back_inserter(kept_), [&](const Contact& c) {
+        const double depth = c.slice == 0             ? sideDepth[0]
+                             : c.slice == slices_ - 1 ? sideDepth[1]
+                                                      : -1.0;
+        return depth <= 0.0 || c.depth <= std::max(depth, kDeep) ||
+               std::any_of(begin, contacts_.end(), [&](const Contact& other) {
+                   return other.slice != c.slice && other.depth > 0.5 * c.depth &&
+                          other.normal.dot(c.normal) > kLikeNormal;
+               });
+    });
+    contacts_.resize(first);
+    contacts_.insert(contacts_.end(), kept_.begin(), kept_.end());
+}
+
 const std::vector<Contact>& WheelContactFinder::find(const std::vector<Pose>& bodies) {
     contacts_.clear();
     for (std::size_t i = 0; i < mechanism_.wheels.size(); ++i) {
@@ -126,6 +184,7 @@ const std::vector<Contact>& WheelContactFinder::find(const std::vector<Pose>& bo
         const std::size_t first = contacts_.size();
         findOuter(static_cast<int>(i), center, axis);
         findInner(static_cast<int>(i), center, axis, first);
+        findSides(static_cast<int>(i), center, axis, first);
     }
     return contacts_;
 }

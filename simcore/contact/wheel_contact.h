@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "simcore/base/pose.h"
+#include "simcore/contact/side_contacts.h"
 #include "simcore/contact/slice_contacts.h"
 #include "simcore/mechanism/mechanism.h"
 #include "simcore/terrain/terrain.h"
@@ -10,19 +11,24 @@
 /// Where wheels touch the ground: geometry only, no forces.
 namespace simcore::contact {
 
+/// `Contact::slice` of contacts on a wheel's sides.
+inline constexpr int kSide = -1;
+
 /// One contact point of one wheel.
 struct Contact {
     int wheel = -1;
-    int slice = 0;                 ///< outer ones first, then inner ones, each from right to left
+    /// Outer ones first, then inner ones, each from right to left; kSide for the flat sides.
+    int slice = 0;
     Vec3 point = Vec3::Zero();     ///< on the ground [m], world
     Vec3 normal = Vec3::UnitZ();   ///< unit, ground to wheel, world
-    Vec3 forward = Vec3::UnitX();  ///< unit, axle x normal: the rolling direction, world
+    Vec3 forward = Vec3::UnitX();  ///< unit, the rolling direction, square to the normal, world
     double depth = 0.0;            ///< penetration [m], > 0 inside
 };
 
 /// Finds the contacts of every wheel. Each wheel is cut into `slices` discs; each disc is
 /// intersected exactly with the terrain. A wheel at floor and wall touches twice per slice. On
-/// ground that differs across the rover, inner discs find what stands between the slices.
+/// ground that differs across the rover, inner discs find what stands between the slices. Walls
+/// that run along a wheel touch its flat sides, where the outer slices are.
 class WheelContactFinder {
   public:
     /// @param margin  contacts are reported from this far before touching [m]
@@ -46,6 +52,8 @@ class WheelContactFinder {
     void add(int wheel, int slice, const terrain::SlicePlane& plane, const Vec3& axis,
              const SliceContact& contact);
     void findOuter(int index, const Vec3& center, const Vec3& axis);
+    void findSides(int index, const Vec3& center, const Vec3& axis, std::size_t first);
+    void dropOvertopped(const std::vector<SideContact>& sides, std::size_t first);
     void findInner(int index, const Vec3& center, const Vec3& axis, std::size_t first);
 
     const mechanism::Mechanism& mechanism_;
@@ -53,9 +61,11 @@ class WheelContactFinder {
     int slices_;
     double margin_;
     SliceContactFinder slice_;
+    SideContactFinder side_;
     std::vector<Buried> buried_;
     std::vector<terrain::SliceSegment> segments_;
     std::vector<Contact> contacts_;
+    std::vector<Contact> kept_;
 };
 
 }  // namespace simcore::contact

@@ -7,13 +7,14 @@ namespace simcore::dynamics {
 namespace {
 
 // Agreement asked of limits and normal forces: relative, and absolute [N].
-constexpr double kTolerance = 0.02;
-constexpr double kToleranceForce = 0.02;
+constexpr double kTolerance = 0.01;
+constexpr double kToleranceForce = 0.01;
 // Below this share of its limit a tangential force gives the box no direction.
 constexpr double kDirected = 0.3;
 
-// A narrow box's half width across its direction: its corners stand 2 % outside the cone.
-constexpr double kAcross = 0.2;
+// A narrow box's half width across its direction: its corners stand 1 % outside the cone. Wider,
+// and corners would never agree.
+constexpr double kAcross = 0.14;
 // A wheel that sticks with less than this share of its limit gets a square box instead, which does
 // not care which way its force turns.
 constexpr double kLoose = 0.6;
@@ -23,6 +24,12 @@ constexpr double kSliding = 1e-3;
 void setLimit(FrictionBox& box, double limit, bool loose) {
     box.along = limit;
     box.across = loose ? limit : kAcross * limit;
+}
+
+/// Turns the box by that share of the way. The box is the same both ways round.
+void turn(FrictionBox& box, const Vec3& direction, double share) {
+    const double sign = box.direction.dot(direction) < 0.0 ? -1.0 : 1.0;
+    box.direction = ((1.0 - share) * sign * box.direction + share * direction).normalized();
 }
 
 Vec3 tangentialPart(const Vec3& force, const Vec3& normal) {
@@ -73,16 +80,18 @@ bool FrictionBounds::update(std::span<const contact::Contact> contacts,
         if (outside || short_ || guessed) {
             agree = false;
         }
-        // Later passes move half-way only, in case the fixed point is approached from both sides.
-        const double step = box.fromNormalForce || updates_ < 3 ? 1.0 : 0.5;
+        // From the third solve on the mean of what they ask for (Mann's iteration): where wheels
+        // are wedged, more friction makes less load and the other way round, and whole or half
+        // steps would go to and fro for ever.
+        const double step = 1.0 / std::max(1, updates_ - 1);
         const Vec3 sliding = tangentialPart(velocities[i], normal);
         const bool slides = sliding.norm() > kSliding;
         setLimit(box, box.along + step * (limit - box.along), !slides && size < kLoose * limit);
         box.fromNormalForce = false;
         if (slides) {
-            box.direction = -sliding.normalized();
+            turn(box, -sliding.normalized(), step);
         } else if (size > kDirected * limit && size > kToleranceForce) {
-            box.direction = tangential.normalized();
+            turn(box, tangential.normalized(), step);
         }
     }
     return agree;

@@ -429,12 +429,7 @@ void LoopClosures::renewTerms() {
 void LoopClosures::react(const TreeMotion& motion, const std::vector<double>& forces,
                          std::vector<Vec6>& wrenches, std::vector<Vec6>& joints) {
     const auto act = [&](const Arm& arm, const Vec6& wrench) {
-        if (const int at = tree_.positionOf(arm.second); at >= 0) {
-            wrenches[static_cast<std::size_t>(at)] += wrench;
-        }
-        if (const int at = tree_.positionOf(arm.first); at >= 0) {
-            wrenches[static_cast<std::size_t>(at)] -= wrench;
-        }
+        pushBetween(tree_, arm.first, arm.second, wrench, wrenches);
     };
     for (Cluster& cluster : clusters_) {
         evaluate(cluster, motion);

@@ -27,9 +27,9 @@ constexpr double kFrictionCompliance = 1e-7;
 /// rover.
 constexpr double kContactErrorReduction = 0.2;
 /// Solves per step at most: the friction bounds must agree with the normal forces of this step.
-constexpr int kMaxPasses = 6;
+constexpr int kMaxPasses = 12;
 /// Repetitions of a solve that ODE gave up, and by how much, relatively, they change its friction
-/// limits: far below the 2 % to which limits are iterated, far above rounding (assumed).
+/// limits: far below the 1 % to which limits are iterated, far above rounding (assumed).
 constexpr int kMaxRepetitions = 4;
 constexpr double kRepetitionChange = 1e-5;
 
@@ -97,12 +97,7 @@ OdeEngine::OdeEngine(const mechanism::Mechanism& mechanism, const EngineSettings
 void OdeEngine::makeBodies() {
     for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
         const mechanism::Body& body = mechanism_.bodies[i];
-        Mat3 inertia = body.inertia;
-        for (const mechanism::Wheel& wheel : mechanism_.wheels) {
-            if (wheel.body == static_cast<int>(i)) {
-                inertia += wheel.rotorInertia * wheel.axis * wheel.axis.transpose();
-            }
-        }
+        const Mat3 inertia = mechanism_.inertiaWithRotor(i);
         dMass mass;
         dMassSetParameters(&mass, body.mass, 0, 0, 0, inertia(0, 0), inertia(1, 1), inertia(2, 2),
                            inertia(0, 1), inertia(0, 2), inertia(1, 2));

@@ -224,12 +224,7 @@ void ReducedEngine::reset() {
 
 void ReducedEngine::push(const Between& between, const Vec6& wrench,
                          std::vector<Vec6>& wrenches) const {
-    if (const int at = tree_.positionOf(between.second); at >= 0) {
-        wrenches[static_cast<std::size_t>(at)] += wrench;
-    }
-    if (const int at = tree_.positionOf(between.first); at >= 0) {
-        wrenches[static_cast<std::size_t>(at)] -= wrench;
-    }
+    pushBetween(tree_, between.first, between.second, wrench, wrenches);
 }
 
 Vec6 ReducedEngine::axisOf(const mechanism::Joint& joint) const {

@@ -152,6 +152,16 @@ std::vector<SignedRate> relativeRates(const SpanningTree& tree, int first, int s
     return relative;
 }
 
+void pushBetween(const SpanningTree& tree, int first, int second, const Vec6& wrench,
+                 std::vector<Vec6>& wrenches) {
+    if (const int at = tree.positionOf(second); at >= 0) {
+        wrenches[static_cast<std::size_t>(at)] += wrench;
+    }
+    if (const int at = tree.positionOf(first); at >= 0) {
+        wrenches[static_cast<std::size_t>(at)] -= wrench;
+    }
+}
+
 void advance(const SpanningTree& tree, TreeState& state, std::span<const double> change) {
     for (const TreeBody& at : tree.bodies()) {
         for (const TreeElement& element : at.elements) {
@@ -179,14 +189,7 @@ TreeMotion::TreeMotion(const mechanism::Mechanism& mechanism, const SpanningTree
       accelerations_(tree.bodies().size(), Vec6::Zero()),
       forces_(tree.bodies().size(), Vec6::Zero()) {
     for (const TreeBody& at : tree.bodies()) {
-        const mechanism::Body& body = mechanism.bodies[static_cast<std::size_t>(at.body)];
-        Mat3 inertia = body.inertia;
-        for (const mechanism::Wheel& wheel : mechanism.wheels) {
-            if (wheel.body == at.body) {
-                inertia += wheel.rotorInertia * wheel.axis * wheel.axis.transpose();
-            }
-        }
-        inertiasAtCom_.push_back(inertia);
+        inertiasAtCom_.push_back(mechanism.inertiaWithRotor(static_cast<std::size_t>(at.body)));
     }
 }
 

@@ -86,6 +86,11 @@ struct SignedRate {
 /// The rates that move body `second` against body `first` (of the mechanism).
 std::vector<SignedRate> relativeRates(const SpanningTree& tree, int first, int second);
 
+/// Adds a wrench that body `first` exerts on body `second` (of the mechanism) to those on the
+/// tree's bodies, and its reaction. The world bears anything.
+void pushBetween(const SpanningTree& tree, int first, int second, const Vec6& wrench,
+                 std::vector<Vec6>& wrenches);
+
 /// Moves the tree on: a coordinate by its number, a ball by a turn vector.
 /// @param change  per rate [rad] or [m]
 void advance(const SpanningTree& tree, TreeState& state, std::span<const double> change);

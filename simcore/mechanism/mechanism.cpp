@@ -37,6 +37,16 @@ Vec3 Mechanism::centerOfMass(const std::vector<Pose>& poses) const {
     return total > 0.0 ? Vec3(moment / total) : Vec3::Zero();
 }
 
+Mat3 Mechanism::inertiaWithRotor(std::size_t body) const {
+    Mat3 inertia = bodies[body].inertia;
+    for (const Wheel& wheel : wheels) {
+        if (wheel.body == static_cast<int>(body)) {
+            inertia += wheel.rotorInertia * wheel.axis * wheel.axis.transpose();
+        }
+    }
+    return inertia;
+}
+
 double Mechanism::wheelbase() const {
     if (wheels.size() < 2) {
         return 1.0;

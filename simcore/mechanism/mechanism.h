@@ -113,6 +113,9 @@ struct Mechanism {
     Vec3 centerOfMass() const;
     /// Centre of mass in the world for the given body poses X_WB [m].
     Vec3 centerOfMass(const std::vector<Pose>& poses) const;
+    /// Of a body about its centre of mass, in rover axes [kg m^2]: of a wheel with its motor's
+    /// rotor.
+    Mat3 inertiaWithRotor(std::size_t body) const;
     /// Distance between the foremost and the rearmost wheel centre [m]: the length that makes
     /// translations and rotations comparable. 1 m when there are fewer than two wheels.
     double wheelbase() const;

@@ -37,6 +37,7 @@ void WheelObserver::observeContact(std::size_t wheel, const Pose& pose,
     Vec3 force = Vec3::Zero();
     double load = 0.0;
     double radiusSum = 0.0;
+    double rollingLoad = 0.0;
     double depth = 0.0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         if (contacts[i].wheel != static_cast<int>(wheel)) {
@@ -46,19 +47,25 @@ void WheelObserver::observeContact(std::size_t wheel, const Pose& pose,
         const Vec3 arm = contacts[i].point - center;
         normalSum += n * contacts[i].normal;
         pointSum += n * contacts[i].point;
-        radiusSum += n * (arm - arm.dot(axis) * axis).norm();
+        // What presses on a wheel's side has no say in how it rolls.
+        const double rolling = n * axis.cross(contacts[i].normal).norm();
+        radiusSum += rolling * (arm - arm.dot(axis) * axis).norm();
+        rollingLoad += rolling;
         force += forces[i];
         load += n;
         depth = std::max(depth, contacts[i].depth);
     }
     RollingFrame& frame = frames_[wheel];
     state.touching = load > 0.0 && normalSum.norm() > 1e-9 * load;
+    const bool rolls = state.touching && axis.cross(normalSum).norm() > 1e-3 * load;
     state.force = force;
     state.penetration = depth;
     if (state.touching) {
-        frame.normal = normalSum.normalized();
-        frame.effectiveRadius = radiusSum / load;
         state.contactPoint = pointSum / load;
+    }
+    if (rolls) {
+        frame.normal = normalSum.normalized();
+        frame.effectiveRadius = radiusSum / rollingLoad;
         const Vec3 forward = axis.cross(Vec3::UnitZ()).normalized();
         const Vec3 up = forward.cross(axis);
         frame.angle = std::atan2(-frame.normal.dot(forward), frame.normal.dot(up));

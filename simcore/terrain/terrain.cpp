@@ -32,6 +32,17 @@ Vec3 highCorner(const TriangleMesh& mesh, const std::array<int, 3>& t) {
     return corner(mesh, t, 0).cwiseMax(corner(mesh, t, 1)).cwiseMax(corner(mesh, t, 2));
 }
 
+Vec3 normalOf(const TriangleMesh& mesh, const std::array<int, 3>& t) {
+    return (corner(mesh, t, 1) - corner(mesh, t, 0))
+        .cross(corner(mesh, t, 2) - corner(mesh, t, 0))
+        .normalized();
+}
+
+/// Angle between a line and the vertical, 0 to pi/2 [rad].
+double leanOf(const Vec3& direction) {
+    return std::acos(std::min(1.0, std::abs(direction.z())));
+}
+
 /// Cells that suit a mesh within the box [m].
 double cellSizeFor(const TriangleMesh& mesh, const Vec3& low, const Vec3& high) {
     double sum = 0.0;
@@ -226,6 +237,14 @@ void Terrain::index() {
             cellTriangles_[static_cast<std::size_t>(next[cell]++)] = static_cast<int>(i);
         });
     }
+    cellSteepest_.assign(cellStart_.size() - 1, 0.0F);
+    for (const auto& t : mesh_.triangles) {
+        const auto slope = static_cast<float>(leanOf(normalOf(mesh_, t)));
+        steepest_ = std::max(steepest_, slope);
+        cellsOf(t, [&](std::size_t cell) {
+            cellSteepest_[cell] = std::max(cellSteepest_[cell], slope);
+        });
+    }
 }
 
 double Terrain::heightAt(double x, double y) const {
@@ -351,9 +370,7 @@ void Terrain::slice(const SlicePlane& plane, double radius, std::vector<SliceSeg
             if (column(nearest.x()) != ix || row(nearest.y()) != iy) {
                 continue;
             }
-            segment.normal = (corner(mesh_, t, 1) - corner(mesh_, t, 0))
-                                 .cross(corner(mesh_, t, 2) - corner(mesh_, t, 0))
-                                 .normalized();
+            segment.normal = normalOf(mesh_, t);
             // The free side is to the left.
             const Eigen::Vector2d along = segment.b - segment.a;
             const double left =
@@ -364,6 +381,48 @@ void Terrain::slice(const SlicePlane& plane, double radius, std::vector<SliceSeg
             out.push_back(segment);
         }
     });
+}
+
+void Terrain::facing(const Vec3& low, const Vec3& high, const Vec3& axis, double angle,
+                     std::vector<Facet>& out) const {
+    out.clear();
+    // Faces less steep than this are further than the angle from the axis; a little less, as slopes
+    // are kept in single precision.
+    constexpr double kRounding = 1e-4;
+    const auto slope = static_cast<float>(leanOf(axis) - angle - kRounding);
+    if (steepest_ < slope) {
+        return;
+    }
+    const double cosine = std::cos(angle);
+    const int firstX = column(low.x());
+    const int firstY = row(low.y());
+    const int lastX = column(high.x());
+    const int lastY = row(high.y());
+    for (int ix = firstX; ix <= lastX; ++ix) {
+        for (int iy = firstY; iy <= lastY; ++iy) {
+            const std::size_t cell = cellAt(ix, iy);
+            if (cellSteepest_[cell] < slope) {
+                continue;
+            }
+            for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
+                const auto& t = mesh_.triangles[static_cast<std::size_t>(
+                    cellTriangles_[static_cast<std::size_t>(i)])];
+                const Vec3 least = lowCorner(mesh_, t);
+                // A triangle that lies in several cells is taken in the first of them.
+                if (ix != std::max(firstX, column(least.x())) ||
+                    iy != std::max(firstY, row(least.y())) ||
+                    (least.array() > high.array()).any() ||
+                    (highCorner(mesh_, t).array() < low.array()).any()) {
+                    continue;
+                }
+                const Vec3 normal = normalOf(mesh_, t);
+                if (std::abs(normal.dot(axis)) >= cosine) {
+                    out.push_back(
+                        {{corner(mesh_, t, 0), corner(mesh_, t, 1), corner(mesh_, t, 2)}, normal});
+                }
+            }
+        }
+    }
 }
 
 }  // namespace simcore::terrain

@@ -29,6 +29,12 @@ struct SlicePlane {
     Vec3 v;
 };
 
+/// A triangle of the ground.
+struct Facet {
+    std::array<Vec3, 3> corners;  ///< world [m]
+    Vec3 normal;                  ///< unit, to the free side
+};
+
 /// An immutable ground with fast look-up around a wheel.
 class Terrain {
   public:
@@ -52,6 +58,11 @@ class Terrain {
     /// Exact section of the ground with the plane: the pieces that come within `radius` of its
     /// origin. Appends to `out` (cleared first), no allocation once `out` has grown.
     void slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const;
+
+    /// Triangles that may reach into the box from `low` to `high` and whose normals are within
+    /// `angle` [rad] of +axis or -axis (unit). Appends to `out` (cleared first).
+    void facing(const Vec3& low, const Vec3& high, const Vec3& axis, double angle,
+                std::vector<Facet>& out) const;
 
     /// Range of x in which the ground is not flat at z = 0 [m]; empty (min > max) when it is flat.
     std::pair<double, double> obstacleRange() const { return obstacleRange_; }
@@ -80,6 +91,8 @@ class Terrain {
     int gridNx_ = 0, gridNy_ = 0;
     std::vector<int> cellStart_;
     std::vector<int> cellTriangles_;
+    std::vector<float> cellSteepest_;  ///< steepest slope of the triangles in each cell [rad]
+    float steepest_ = 0.0F;
 };
 
 }  // namespace simcore::terrain

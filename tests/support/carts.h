@@ -112,10 +112,8 @@ inline Mechanism makeSteeredCart(const SteeringNumbers& steering = {},
     return mechanism;
 }
 
-/// The mechanism drawn with its nose up by `slope` [rad] about the world's y axis: so it starts on
-/// the ground of slopeThroughOrigin().
-inline Mechanism tilted(Mechanism mechanism, double slope) {
-    const Mat3 R = Eigen::AngleAxisd(-slope, Vec3::UnitY()).toRotationMatrix();
+/// The mechanism drawn turned about the world's origin.
+inline Mechanism turned(Mechanism mechanism, const Mat3& R) {
     for (Body& body : mechanism.bodies) {
         body.com = R * body.com;
         body.inertia = R * body.inertia * R.transpose();
@@ -138,6 +136,12 @@ inline Mechanism tilted(Mechanism mechanism, double slope) {
         spring.secondPoint = R * spring.secondPoint;
     }
     return mechanism;
+}
+
+/// The mechanism drawn with its nose up by `slope` [rad] about the world's y axis: so it starts on
+/// the ground of slopeThroughOrigin().
+inline Mechanism tilted(const Mechanism& mechanism, double slope) {
+    return turned(mechanism, Eigen::AngleAxisd(-slope, Vec3::UnitY()).toRotationMatrix());
 }
 
 /// A plane that rises with `slope` [rad] along x and holds the origin.
