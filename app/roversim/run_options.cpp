@@ -12,6 +12,8 @@ using namespace simcore;
 void addRunOptions(CLI::App& command, RunOptions& options) {
     command.add_option("FILE", options.file, "Project file (.rover)")->required();
     command.add_option("--scenario", options.scenario, "Scenario of the project")->required();
+    command.add_option("--engine", options.engine, "Engine instead of the scenario's")
+        ->check(CLI::IsMember(project::allNames<project::EngineKind>()));
     command.add_option("--controller", options.controller, "Controller instead of the scenario's")
         ->check(CLI::IsMember(project::allNames<project::ControllerKind>()));
     command.add_option("--distance", options.distance, "Distance that completes the run [m]")
@@ -32,6 +34,9 @@ std::optional<run::RunRequest> requestOf(const RunOptions& options) {
     run::RunRequest request;
     request.scenario = options.scenario;
     request.files.folder = std::filesystem::path(options.file).parent_path();
+    if (!options.engine.empty()) {
+        request.engine = project::fromName<project::EngineKind>(options.engine);
+    }
     if (!options.controller.empty()) {
         request.controller = project::fromName<project::ControllerKind>(options.controller);
     }

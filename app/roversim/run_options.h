@@ -16,6 +16,7 @@ namespace roversim {
 struct RunOptions {
     std::string file;
     std::string scenario;
+    std::string engine;
     std::string controller;
     std::optional<double> distance;
     std::optional<double> height;
@@ -24,7 +25,8 @@ struct RunOptions {
     std::vector<std::string> set;
 };
 
-/// Declares FILE, --scenario, --controller, --distance, --height, --dt, --joints and --set.
+/// Declares FILE, --scenario, --engine, --controller, --distance, --height, --dt, --joints and
+/// --set.
 void addRunOptions(CLI::App& command, RunOptions& options);
 
 /// The request of these options; on a malformed --set prints why and returns nothing.

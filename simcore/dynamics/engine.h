@@ -111,7 +111,11 @@ double wheelRate(const mechanism::Wheel& wheel, const std::vector<Pose>& poses,
 double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses,
                  mechanism::Model model = mechanism::Model::Built);
 
+/// What the engine in reduced coordinates cannot run in this mechanism; empty when it can.
+Problems whyReducedCannotRun(const mechanism::Mechanism& mechanism);
+
 /// Independent rates instead of constraints, and Coulomb's cone (docs/engines.md).
+/// @throws std::invalid_argument when whyReducedCannotRun() is not empty
 std::unique_ptr<Engine> makeReducedEngine(const mechanism::Mechanism& mechanism,
                                           const EngineSettings& settings);
 

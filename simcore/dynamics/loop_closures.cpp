@@ -91,10 +91,12 @@ void LoopClosures::makeClusters(mechanism::Model model) {
             geared.arms[side] = {
                 joint.first, joint.second, relativeRates(tree_, joint.first, joint.second), {}};
         }
-        if (geared.arms[0].rates.empty() || geared.arms[1].rates.empty()) {
-            throw std::invalid_argument("a gear's joint is between fixed bodies");
+        // A pin between fixed bodies stands still: the gear holds the other one.
+        if (geared.arms[0].rates.empty() && geared.arms[1].rates.empty()) {
+            continue;
         }
-        join(geared.arms[0].rates, geared.arms[1].rates);
+        join(geared.movingArm().rates, geared.arms[1].rates);
+        join(geared.movingArm().rates, geared.arms[0].rates);
         gears.push_back(std::move(geared));
     }
     std::vector<int> clusterOf(group.size(), -1);
@@ -128,7 +130,7 @@ void LoopClosures::makeClusters(mechanism::Model model) {
         cluster.closures.push_back(std::move(closure));
     }
     for (Geared& geared : gears) {
-        Cluster& cluster = clusterFor(geared.arms[0].rates.front().rate);
+        Cluster& cluster = clusterFor(geared.movingArm().rates.front().rate);
         enter(cluster, geared.arms[0]);
         enter(cluster, geared.arms[1]);
         geared.row = rows(cluster)++;

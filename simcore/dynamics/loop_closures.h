@@ -87,6 +87,8 @@ class LoopClosures {
         double angles[2] = {0.0, 0.0};  ///< at the pose closed last, turns counted [rad]
         double anglesNow[2] = {0.0, 0.0};
         int row = 0;
+
+        const Arm& movingArm() const { return arms[arms[0].rates.empty() ? 1 : 0]; }
     };
 
     struct Cluster {

@@ -255,12 +255,7 @@ Problems whyOdeCannotRun(const mechanism::Mechanism& mechanism) {
                                 "Connect pins of the same carrier."});
         }
     }
-    for (const mechanism::Body& body : mechanism.bodies) {
-        if (!(body.mass > 0.0) || !body.com.allFinite() || !body.inertia.allFinite()) {
-            problems.push_back({Severity::Critical, "body " + body.name,
-                                "its mass, centre or inertia is not usable.", "Correct them."});
-        }
-    }
+    appendNew(problems, whyReducedCannotRun(mechanism));
     return problems;
 }
 

@@ -159,6 +159,9 @@ ReducedEngine::ReducedEngine(const mechanism::Mechanism& mechanism, const Engine
       loops_(mechanism_, tree_, settings.joints),
       scratch_(mechanism_, tree_),
       scratchLoops_(mechanism_, tree_, settings.joints) {
+    if (const Problems problems = whyReducedCannotRun(mechanism); !problems.empty()) {
+        throw std::invalid_argument(toString(problems));
+    }
     for (const mechanism::Spring& spring : mechanism_.springs) {
         Elastic elastic;
         elastic.spring = &spring;
@@ -729,6 +732,17 @@ void ReducedEngine::restoreState(std::span<const double> numbers) {
 }
 
 }  // namespace
+
+Problems whyReducedCannotRun(const mechanism::Mechanism& mechanism) {
+    Problems problems;
+    for (const mechanism::Body& body : mechanism.bodies) {
+        if (!(body.mass > 0.0) || !body.com.allFinite() || !body.inertia.allFinite()) {
+            problems.push_back({Severity::Critical, "body " + body.name,
+                                "its mass, centre or inertia is not usable.", "Correct them."});
+        }
+    }
+    return problems;
+}
 
 std::unique_ptr<Engine> makeReducedEngine(const mechanism::Mechanism& mechanism,
                                           const EngineSettings& settings) {

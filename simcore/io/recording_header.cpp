@@ -44,6 +44,9 @@ Json toJson(const run::RunRequest& request) {
     if (!request.files.folder.empty()) {
         json["folder"] = std::filesystem::absolute(request.files.folder).string();
     }
+    if (request.engine) {
+        json["engine"] = project::nameOf(*request.engine);
+    }
     if (request.controller) {
         json["controller"] = project::nameOf(*request.controller);
     }
@@ -65,6 +68,13 @@ run::RunRequest requestFrom(const ReadJson& json) {
     run::RunRequest request;
     request.scenario = json.at("scenario").get<std::string>();
     request.files.folder = json.value("folder", std::string());
+    if (json.contains("engine")) {
+        const auto name = json.at("engine").get<std::string>();
+        request.engine = project::fromName<project::EngineKind>(name);
+        if (!request.engine) {
+            throw std::runtime_error("engine '" + name + "' is not known");
+        }
+    }
     if (json.contains("controller")) {
         const auto name = json.at("controller").get<std::string>();
         request.controller = project::fromName<project::ControllerKind>(name);

@@ -215,6 +215,7 @@ void describe(V& v, const Sensors*) {
 
 template <class V>
 void describe(V& v, const RunSettings*) {
+    v.optional("engine", &RunSettings::engine);
     v.optional("step", &RunSettings::step);
     v.optional("distance", &RunSettings::distance);
     v.optional("duration", &RunSettings::duration);

@@ -41,6 +41,8 @@ constexpr std::array<Entry<ControllerKind>, 3> kControllers{
 constexpr std::array<Entry<SteeringMode>, 3> kSteering{{{SteeringMode::Auto, "auto"},
                                                         {SteeringMode::Skid, "skid"},
                                                         {SteeringMode::Ackermann, "ackermann"}}};
+constexpr std::array<Entry<EngineKind>, 2> kEngines{
+    {{EngineKind::Ode, "ode"}, {EngineKind::Reduced, "reduced"}}};
 
 constexpr std::span<const Entry<ShapeKind>> tableOf(ShapeKind /*any*/) {
     return kShapes;
@@ -64,6 +66,10 @@ constexpr std::span<const Entry<ControllerKind>> tableOf(ControllerKind /*any*/)
 
 constexpr std::span<const Entry<SteeringMode>> tableOf(SteeringMode /*any*/) {
     return kSteering;
+}
+
+constexpr std::span<const Entry<EngineKind>> tableOf(EngineKind /*any*/) {
+    return kEngines;
 }
 
 }  // namespace
@@ -115,5 +121,8 @@ template std::vector<std::string> allNames<ControllerKind>();
 template std::string nameOf(SteeringMode);
 template std::optional<SteeringMode> fromName(std::string_view);
 template std::vector<std::string> allNames<SteeringMode>();
+template std::string nameOf(EngineKind);
+template std::optional<EngineKind> fromName(std::string_view);
+template std::vector<std::string> allNames<EngineKind>();
 
 }  // namespace simcore::project

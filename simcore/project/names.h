@@ -8,7 +8,7 @@
 #include "simcore/project/project.h"
 
 /// The words used for enumerators in files and on the command line: of ShapeKind, TerrainKind,
-/// Sides, UpAxis, ControllerKind and SteeringMode.
+/// Sides, UpAxis, ControllerKind, SteeringMode and EngineKind.
 namespace simcore::project {
 
 /// E.g. "random-profile", "equal-torque", "bar".

@@ -282,7 +282,11 @@ struct Sensors {
     bool operator==(const Sensors&) const = default;
 };
 
+/// What moves the bodies; docs/engines.md says when to use which.
+enum class EngineKind { Ode, Reduced };
+
 struct RunSettings {
+    EngineKind engine = EngineKind::Ode;
     Quantity step{0.002};        ///< engine step [s]
     Quantity distance{3.5};      ///< chassis travel that completes the run [m]
     Quantity duration{0.0};      ///< simulated time that ends it [s]; 0 = 2 + 1.6 distance/speed

@@ -22,6 +22,9 @@ std::string scenarioNames(const project::Project& project) {
 }
 
 project::Scenario withRequest(project::Scenario scenario, const RunRequest& request) {
+    if (request.engine) {
+        scenario.run.engine = *request.engine;
+    }
     if (request.controller) {
         scenario.controller.kind = *request.controller;
     }
@@ -89,6 +92,11 @@ bool steers(const project::Controller& controller, double turn) {
             (controller.kind == ControllerKind::Speed && (turn != 0.0 || controller.headingHold)));
 }
 
+Problems whyEngineCannotRun(project::EngineKind engine, const mechanism::Mechanism& mechanism) {
+    return engine == project::EngineKind::Ode ? dynamics::whyOdeCannotRun(mechanism)
+                                              : dynamics::whyReducedCannotRun(mechanism);
+}
+
 /// Everything but the terrain.
 std::optional<ResolvedRun> readRun(const project::Project& project,
                                    const project::Scenario& scenario,
@@ -105,12 +113,13 @@ std::optional<ResolvedRun> readRun(const project::Project& project,
     }
     ResolvedRun run;
     run.mechanism = std::move(mechanism).value();
-    appendNew(problems, dynamics::whyOdeCannotRun(run.mechanism));
+    appendNew(problems, whyEngineCannotRun(scenario.run.engine, run.mechanism));
     if (!values || hasCritical(problems)) {
         return std::nullopt;
     }
     static_cast<project::ScenarioValues&>(run) = *values;
     run.scenario = scenario.name;
+    run.engine = scenario.run.engine;
     run.controller = scenario.controller.kind;
     run.steering = scenario.controller.steering;
     run.headingHold = scenario.controller.headingHold;
@@ -149,7 +158,7 @@ Problems checkProject(const project::Project& project, const project::ProjectFil
             appendNew(problems, {problem});
         }
     };
-    std::set<std::string> checked;
+    std::set<std::pair<std::string, project::EngineKind>> checked;
     for (const project::Scenario& scenario : project.scenarios) {
         const auto parameters = project::evaluateParameters(project, scenario.variant);
         if (!parameters) {
@@ -157,11 +166,11 @@ Problems checkProject(const project::Project& project, const project::ProjectFil
         }
         addNamed(terrain::whyNoTerrain(scenario.terrain, *parameters), "scenario " + scenario.name);
         addNamed(io::whyNoTerrainFiles(scenario.terrain, files), "scenario " + scenario.name);
-        if (!checked.insert(scenario.variant).second) {
+        if (!checked.insert({scenario.variant, scenario.run.engine}).second) {
             continue;  // the same rover again
         }
         if (const auto mechanism = project::resolve(project.rover, *parameters)) {
-            addNamed(dynamics::whyOdeCannotRun(*mechanism),
+            addNamed(whyEngineCannotRun(scenario.run.engine, *mechanism),
                      scenario.variant.empty() ? "" : "variant " + scenario.variant);
         }
     }

@@ -21,6 +21,7 @@ namespace simcore::run {
 struct RunRequest {
     std::string scenario;
     project::ProjectFiles files;  ///< where those of the terrain are
+    std::optional<project::EngineKind> engine;
     std::optional<project::ControllerKind> controller;
     std::optional<double> friction;
     std::optional<double> duration;
@@ -44,6 +45,7 @@ struct ManualCommand {
 struct ResolvedRun : project::ScenarioValues {
     mechanism::Mechanism mechanism;
     std::shared_ptr<const terrain::Terrain> terrain;
+    project::EngineKind engine = project::EngineKind::Ode;
     project::ControllerKind controller = project::ControllerKind::Speed;
     mechanism::Model joints = mechanism::Model::Built;
     project::SteeringMode steering = project::SteeringMode::Auto;
@@ -114,8 +116,10 @@ struct RunReport {
 /// One run, stepped by its owner. Not thread safe: one thread makes, steps and destroys it.
 class Simulation {
   public:
-    explicit Simulation(ResolvedRun run,
-                        const dynamics::EngineMaker& makeEngine = dynamics::makeOdeEngine);
+    /// On the engine that the run asks for.
+    explicit Simulation(ResolvedRun run);
+    /// On any engine behind the port.
+    Simulation(ResolvedRun run, const dynamics::EngineMaker& makeEngine);
     ~Simulation();
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;

@@ -92,7 +92,8 @@ TEST_F(RoversimTest, WrongUseIsTwoAndSaysSoOnStderr) {
          {std::string(), std::string("fly"), std::string("mobility"),
           "mobility --model loose " + shipped("solero"), "mobility --wings " + shipped("solero"),
           "mobility --set wheel_radius " + shipped("solero"), "run " + shipped("solero"),
-          "run --scenario flat --mu -1 " + shipped("solero")}) {
+          "run --scenario flat --mu -1 " + shipped("solero"),
+          "run --scenario flat --engine bullet " + shipped("solero")}) {
         const Outcome outcome = roversim(arguments);
         EXPECT_EQ(outcome.code, 2) << arguments;
         EXPECT_EQ(outcome.out, "") << arguments;
@@ -344,6 +345,20 @@ TEST_F(RecordedRun, ReplayFromTheRecordingAloneGivesTheSameHash) {
     EXPECT_EQ(result.at("complete"), true);
     EXPECT_EQ(result.at("steps"), 1500);
     EXPECT_EQ(result.at("state_hash"), json::parse(run.out).at("state_hash"));
+}
+
+// The recording says which engine ran: it is run again on that one.
+TEST_F(RecordedRun, ReplayRunsOnTheEngineOfTheRun) {
+    const Outcome run = record("--engine reduced");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const json report = json::parse(run.out);
+    EXPECT_EQ(report.at("engine"), "reduced");
+    const Outcome replay = roversim("replay --json '" + path("run.roverrec") + "'");
+    EXPECT_EQ(replay.code, 0) << replay.err;
+    EXPECT_EQ(json::parse(replay.out).at("state_hash"), report.at("state_hash"));
+    const json other = json::parse(record("--engine ode").out);
+    EXPECT_EQ(other.at("engine"), "ode");
+    EXPECT_NE(other.at("state_hash"), report.at("state_hash"));
 }
 
 TEST_F(RecordedRun, ExportGivesTheTableOfTheRun) {

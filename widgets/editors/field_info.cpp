@@ -159,6 +159,8 @@ constexpr std::array kEntries{
           QT_TRANSLATE_NOOP("fields", "Age of what is reported")},
     Entry{"sensor", "resolution", QT_TRANSLATE_NOOP("fields", "Resolution"), "",
           QT_TRANSLATE_NOOP("fields", "Readings are multiples of it; 0 = continuous")},
+    Entry{"run", "engine", QT_TRANSLATE_NOOP("fields", "Engine"), "",
+          QT_TRANSLATE_NOOP("fields", "ode: rows of constraints; reduced: free rates, faster")},
     Entry{"run", "step", QT_TRANSLATE_NOOP("fields", "Time step"), "ms", ""},
     Entry{"run", "distance", QT_TRANSLATE_NOOP("fields", "Distance"), "m",
           QT_TRANSLATE_NOOP("fields", "Travel that completes the run")},

@@ -6,6 +6,7 @@
 #include "simcore/dynamics/engine.h"
 #include "simcore/dynamics/loop_closures.h"
 #include "simcore/project/resolve.h"
+#include "tests/support/mechanisms.h"
 #include "tests/support/projects.h"
 
 using namespace simcore;
@@ -179,6 +180,21 @@ TEST_P(TreeTest, LoopsStayClosedAlongIndependentRates) {
         independent.resize(static_cast<std::size_t>(loops.independentCount()));
         EXPECT_EQ(loops.choice(), choice) << "no reason to choose again";
     }
+}
+
+// A gear with one pin between bodies that do not move holds the other pin.
+TEST(LoopClosuresTest, GearOnAFixedPinHoldsTheOther) {
+    Mechanism mechanism;
+    mechanism.bodies = {makeBody("frame", 1.0, Vec3::Zero()), makeBody("still", 1.0, Vec3::Zero()),
+                        makeBody("arm", 1.0, Vec3::UnitX())};
+    mechanism.bodies[0].fixed = mechanism.bodies[1].fixed = true;
+    mechanism.joints = {makePin("stuck", 0, 1, Vec3::Zero()), makePin("held", 0, 2, Vec3::Zero())};
+    mechanism.gears = {{"gear", 0, 1, 2.0}};
+    const auto engine = makeReducedEngine(mechanism, {});
+    for (int i = 0; i < 100; ++i) {
+        engine->step({});
+    }
+    EXPECT_LT((engine->poses()[2] * Vec3::UnitX() - Vec3::UnitX()).norm(), 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rovers, TreeTest,

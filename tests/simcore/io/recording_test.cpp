@@ -53,6 +53,7 @@ class RecordingTest : public ::testing::Test {
         header.projectText = "{\"any\": \"text, ü\"}";
         header.projectFile = "my rover.rover";
         header.request.scenario = "bump";
+        header.request.engine = project::EngineKind::Reduced;
         header.request.controller = project::ControllerKind::Manual;
         header.request.friction = 0.1 + 0.2;
         header.request.seed = -3;

@@ -82,6 +82,39 @@ TEST_P(RoverConformanceTest, RelaxedJointsGiveTheSameLoadsAndSlip) {
     EXPECT_NEAR(reports[1].slipAbs, reports[0].slipAbs, 0.01 * reports[0].slipAbs + 1e-3);
 }
 
+// Two engines that share no solver: constraints and boxes of friction against free rates and
+// cones. What a rough drive comes to is the same, but for what friction leaves open.
+TEST(EnginesAgreeTest, OnWheelLoadsEnergyAndWay) {
+    for (const std::string rover : {"solero", "rocker_bogie", "rocker_bogie_steered"}) {
+        SCOPED_TRACE(rover);
+        std::vector<RunReport> reports;
+        std::vector<Vec3> ends;
+        for (const auto engine : {project::EngineKind::Ode, project::EngineKind::Reduced}) {
+            ResolvedRun settings = shippedRun(rover, "rough-3d", 1.0);
+            settings.engine = engine;
+            Simulation simulation(settings);
+            reports.push_back(runToEnd(simulation));
+            ends.push_back(simulation.snapshot().bodies[0].position);
+        }
+        EXPECT_EQ(reports[0].engine, "ode");
+        EXPECT_EQ(reports[1].engine, "reduced");
+        ASSERT_TRUE(reports[0].completed && reports[1].completed);
+        double load = 0.0;
+        for (const WheelReport& wheel : reports[0].wheels) {
+            load += wheel.meanNormalForce / static_cast<double>(reports[0].wheels.size());
+        }
+        for (std::size_t i = 0; i < reports[0].wheels.size(); ++i) {
+            EXPECT_NEAR(reports[1].wheels[i].meanNormalForce, reports[0].wheels[i].meanNormalForce,
+                        0.03 * load)
+                << reports[0].wheels[i].name;
+        }
+        EXPECT_NEAR(reports[1].simTime, reports[0].simTime, 0.02 * reports[0].simTime);
+        EXPECT_NEAR(reports[1].energy, reports[0].energy, 0.05 * reports[0].energy);
+        EXPECT_LT((ends[1] - ends[0]).norm(), 0.02);
+        EXPECT_EQ(reports[1].frictionViolationPercent, 0.0);
+    }
+}
+
 namespace {
 
 /// Flat ground with a smooth hump under the left wheels only.
