@@ -189,16 +189,21 @@ TEST_F(RunningTest, EditMakesTheRunStaleAndPlayStartsANewOne) {
     EXPECT_DOUBLE_EQ(session().settings().mechanism.wheels.front().radius, 0.08);
 }
 
-TEST_F(RunningTest, FrictionAndControllerOfTheBarReachTheRun) {
+TEST_F(RunningTest, WhatTheBarAsksForReachesTheRun) {
     auto* controller = find<QComboBox>("controller");
     controller->setFocus();
     QTest::keyClick(controller, Qt::Key_Down);
+    auto* engine = find<QComboBox>("engine");
+    engine->setFocus();
+    QTest::keyClick(engine, Qt::Key_Down);
     auto* friction = find<QWidget>("friction");
     QTest::keyClick(friction, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(friction, "0.45");
     QTest::keyClick(friction, Qt::Key_Return);
     ASSERT_TRUE(driveFor(0.1));
     EXPECT_EQ(session().settings().controller, simcore::project::ControllerKind::EqualTorque);
+    EXPECT_EQ(session().settings().engine, simcore::project::EngineKind::Reduced);
+    EXPECT_EQ(session().report().engine, "reduced");
     EXPECT_DOUBLE_EQ(session().settings().friction, 0.45);
 }
 

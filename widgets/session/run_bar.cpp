@@ -23,6 +23,7 @@
 namespace widgets {
 
 using simcore::project::ControllerKind;
+using simcore::project::EngineKind;
 using simcore::run::RunReport;
 using simcore::run::StopReason;
 
@@ -40,6 +41,10 @@ QString controllerTitle(ControllerKind kind) {
             break;
     }
     return RunBar::tr("Manual (W A S D)");
+}
+
+QString engineTitle(EngineKind kind) {
+    return kind == EngineKind::Ode ? RunBar::tr("ODE") : RunBar::tr("Reduced");
 }
 
 QString outcome(const RunReport& report) {
@@ -164,6 +169,16 @@ QWidget* RunBar::makeSettings() {
         controller_->addItem(controllerTitle(kind), static_cast<int>(kind));
     }
     add(tr("Controller"), controller_);
+    engine_ = new QComboBox;
+    engine_->setObjectName("engine");
+    for (const std::string& name : simcore::project::allNames<EngineKind>()) {
+        const auto kind = *simcore::project::fromName<EngineKind>(name);
+        engine_->addItem(engineTitle(kind), static_cast<int>(kind));
+    }
+    engine_->setToolTip(
+        tr("ODE: Open Dynamics Engine, friction by boxes. Reduced: free rates only, Coulomb's "
+           "cone, several times faster"));
+    add(tr("Engine"), engine_);
     friction_ = new QDoubleSpinBox;
     friction_->setObjectName("friction");
     friction_->setRange(0.0, 5.0);
@@ -192,6 +207,7 @@ QWidget* RunBar::makeSettings() {
         emit requestChanged();
     });
     connect(controller_, &QComboBox::activated, this, &RunBar::requestChanged);
+    connect(engine_, &QComboBox::activated, this, &RunBar::requestChanged);
     connect(friction_, &QDoubleSpinBox::valueChanged, this, &RunBar::requestChanged);
     // Typed and confirmed: the next Space drives.
     connect(friction_->findChild<QLineEdit*>(), &QLineEdit::returnPressed, friction_,
@@ -276,6 +292,9 @@ void RunBar::setProject(const simcore::project::Project& project) {
             controller_->setCurrentIndex(
                 controller_->findData(static_cast<int>(*before.controller)));
         }
+        if (before.engine) {
+            engine_->setCurrentIndex(engine_->findData(static_cast<int>(*before.engine)));
+        }
         if (before.friction) {
             const QSignalBlocker quiet(friction_);
             friction_->setValue(*before.friction);
@@ -286,6 +305,7 @@ void RunBar::setProject(const simcore::project::Project& project) {
 void RunBar::showScenario() {
     const auto* scenario = chosen();
     controller_->setEnabled(scenario != nullptr);
+    engine_->setEnabled(scenario != nullptr);
     friction_->setEnabled(scenario != nullptr);
     if (scenario == nullptr) {
         return;
@@ -293,6 +313,7 @@ void RunBar::showScenario() {
     scenario_->setToolTip(QString::fromStdString(scenario->description));
     controller_->setCurrentIndex(
         controller_->findData(static_cast<int>(scenario->controller.kind)));
+    engine_->setCurrentIndex(engine_->findData(static_cast<int>(scenario->run.engine)));
     const QSignalBlocker quiet(friction_);
     friction_->setValue(scenarioFriction());
 }
@@ -307,6 +328,10 @@ simcore::run::RunRequest RunBar::request() const {
     const auto kind = static_cast<ControllerKind>(controller_->currentData().toInt());
     if (kind != scenario->controller.kind) {
         request.controller = kind;
+    }
+    const auto engine = static_cast<EngineKind>(engine_->currentData().toInt());
+    if (engine != scenario->run.engine) {
+        request.engine = engine;
     }
     // The field shows two decimals; the scenario's own value may have more.
     if (std::abs(friction_->value() - scenarioFriction()) > 0.005) {

@@ -30,10 +30,10 @@ class RunBar : public QWidget {
   public:
     RunBar(RunSession* session, const RunActions& actions, QWidget* parent = nullptr);
 
-    /// Fills the scenario list and the scenario's own controller and friction; keeps the choice
-    /// where it still exists.
+    /// Fills the scenario list and the scenario's own controller, engine and friction; keeps the
+    /// choice where it still exists.
     void setProject(const simcore::project::Project& project);
-    /// Scenario, controller and friction as chosen (empty where it is the scenario's own).
+    /// Scenario, controller, engine and friction as chosen (empty where it is the scenario's own).
     simcore::run::RunRequest request() const;
     QString scenario() const;
     /// The project's first scenario with its own settings: for a project just opened.
@@ -47,7 +47,7 @@ class RunBar : public QWidget {
     void showCommand(const simcore::run::ManualCommand& command);
 
   signals:
-    /// The user chose another scenario, controller or friction.
+    /// The user chose another scenario, controller, engine or friction.
     void requestChanged();
 
   protected:
@@ -68,6 +68,7 @@ class RunBar : public QWidget {
     simcore::project::Project project_;
     QComboBox* scenario_ = nullptr;
     QComboBox* controller_ = nullptr;
+    QComboBox* engine_ = nullptr;
     QDoubleSpinBox* friction_ = nullptr;
     QComboBox* speed_ = nullptr;
     TimelineSlider* timeline_ = nullptr;
