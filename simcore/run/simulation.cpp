@@ -379,10 +379,12 @@ void Simulation::Impl::checkEnd() {
     }
 }
 
-Simulation::Simulation(ResolvedRun run)
-    : impl_(std::make_unique<Impl>(run, run.engine == project::EngineKind::Reduced
-                                            ? dynamics::makeReducedEngine
-                                            : dynamics::makeOdeEngine)) {}
+Simulation::Simulation(ResolvedRun run) {
+    const dynamics::EngineMaker makeEngine = run.engine == project::EngineKind::Reduced
+                                                 ? dynamics::makeReducedEngine
+                                                 : dynamics::makeOdeEngine;
+    impl_ = std::make_unique<Impl>(std::move(run), makeEngine);
+}
 
 Simulation::Simulation(ResolvedRun run, const dynamics::EngineMaker& makeEngine)
     : impl_(std::make_unique<Impl>(std::move(run), makeEngine)) {}
