@@ -187,14 +187,6 @@ QWidget* RunBar::makeSettings() {
     friction_->setKeyboardTracking(false);
     friction_->setToolTip(tr("Coulomb coefficient between wheel and ground"));
     add(tr("Friction"), friction_);
-    speed_ = new QComboBox;
-    speed_->setObjectName("speed");
-    for (const double factor : kSpeeds) {
-        speed_->addItem(factor == 0.0 ? tr("fastest") : QString("%1 x").arg(factor), factor);
-    }
-    speed_->setCurrentIndex(speed_->findData(session_->speedFactor()));
-    speed_->setToolTip(tr("Playback speed; never changes the numbers (+ and - keys)"));
-    add(tr("Playback"), speed_);
     status_ = new ElidedLabel;
     status_->setObjectName("runStatus");
     status_->setAccessibleName(tr("State of the run"));
@@ -212,8 +204,6 @@ QWidget* RunBar::makeSettings() {
     // Typed and confirmed: the next Space drives.
     connect(friction_->findChild<QLineEdit*>(), &QLineEdit::returnPressed, friction_,
             &QWidget::clearFocus, Qt::QueuedConnection);
-    connect(speed_, &QComboBox::activated, this,
-            [this] { session_->setSpeedFactor(speed_->currentData().toDouble()); });
     return row;
 }
 
@@ -230,6 +220,15 @@ QWidget* RunBar::makeTransport() {
     timeline_->setAccessibleName(tr("Time shown"));
     timeline_->setToolTip(tr("Drag to look at any instant of the run"));
     layout->addWidget(timeline_, 1);
+    speed_ = new QComboBox;
+    speed_->setObjectName("speed");
+    for (const double factor : kSpeeds) {
+        speed_->addItem(factor == 0.0 ? tr("fastest") : QString("%1 x").arg(factor), factor);
+    }
+    speed_->setCurrentIndex(speed_->findData(session_->speedFactor()));
+    speed_->setToolTip(tr("Playback speed; never changes the numbers (+ and - keys)"));
+    speed_->setAccessibleName(tr("Playback speed"));
+    layout->addWidget(speed_);
     time_ = new QLabel;
     time_->setAccessibleName(tr("Time"));
     time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -241,6 +240,8 @@ QWidget* RunBar::makeTransport() {
     rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     fixWidth(rate_, tr("RTF %1").arg("00.00"));
     layout->addWidget(rate_);
+    connect(speed_, &QComboBox::activated, this,
+            [this] { session_->setSpeedFactor(speed_->currentData().toDouble()); });
     connect(timeline_, &TimelineSlider::timeChosen, session_, &RunSession::scrub);
     return row;
 }
