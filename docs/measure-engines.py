@@ -52,7 +52,6 @@ COLUMNS = {
     "worst [%]": ("friction_worst_pct", "{:.0f}"),
     "loop [mm]": ("loop_error_max_mm", "{:.4f}"),
     "penetration [mm]": ("penetration_max_mm", "{:.2f}"),
-    "messages": ("solver_messages", "{}"),
     "solves/step": ("solves_per_step", "{:.2f}"),
     "rtf": ("rtf", "{:.1f}"),
 }

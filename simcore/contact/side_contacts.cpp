@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "simcore/base/planar.h"
+
 namespace simcore::contact {
 namespace {
 
@@ -19,10 +21,6 @@ constexpr double kDeepest = 0.005;
 // both middle lines of the side count: so the wall holds the wheel with long levers. Worth this
 // much depth [m], far below any that matters.
 constexpr double kLever = 1e-8;
-
-double cross(const Vector2d& a, const Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Calls visit(point) with where the piece a-b crosses the circle round 0.
 template <class Visit>
@@ -57,11 +55,9 @@ double distanceToOrigin(const std::array<Vector2d, 3>& triangle) {
     }
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 3; ++k) {
-        const Vector2d along = triangle[(k + 1) % 3] - triangle[k];
-        const double length2 = along.squaredNorm();
-        const double share =
-            length2 > 0.0 ? std::clamp(-triangle[k].dot(along) / length2, 0.0, 1.0) : 0.0;
-        nearest = std::min(nearest, (triangle[k] + share * along).norm());
+        const Vector2d& a = triangle[k];
+        const Vector2d& b = triangle[(k + 1) % 3];
+        nearest = std::min(nearest, (a + nearestShare(a, b) * (b - a)).norm());
     }
     return nearest;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simcore/base/planar.h"
+
 namespace simcore::contact {
 namespace {
 
@@ -22,10 +24,6 @@ constexpr double kPatchCosine = 0.95;
 
 Eigen::Vector2d inPlane(const Vec3& v, const SlicePlane& plane) {
     return {v.dot(plane.u), v.dot(plane.v)};
-}
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
 }
 
 /// Square to the edge between two faces and to the disc's rim: that mean of the faces' normals

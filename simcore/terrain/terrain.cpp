@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "simcore/base/planar.h"
+
 namespace simcore::terrain {
 namespace {
 
@@ -67,13 +69,6 @@ double cellSizeFor(const TriangleMesh& mesh, const Vec3& low, const Vec3& high) 
         size *= 1.5;
     }
     return size;
-}
-
-/// Point of the piece a-b that is nearest to 0, as a share of the way from a.
-double nearestShare(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    const Eigen::Vector2d along = b - a;
-    const double length2 = along.squaredNorm();
-    return length2 > 0.0 ? std::clamp(-a.dot(along) / length2, 0.0, 1.0) : 0.0;
 }
 
 }  // namespace
@@ -232,16 +227,12 @@ void Terrain::index() {
     }
     cellTriangles_.resize(static_cast<std::size_t>(cellStart_.back()));
     std::vector<int> next(cellStart_.begin(), cellStart_.end() - 1);
+    cellSteepest_.assign(cellStart_.size() - 1, 0.0F);
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+        const auto slope = static_cast<float>(leanOf(normalOf(mesh_, mesh_.triangles[i])));
+        steepest_ = std::max(steepest_, slope);
         cellsOf(mesh_.triangles[i], [&](std::size_t cell) {
             cellTriangles_[static_cast<std::size_t>(next[cell]++)] = static_cast<int>(i);
-        });
-    }
-    cellSteepest_.assign(cellStart_.size() - 1, 0.0F);
-    for (const auto& t : mesh_.triangles) {
-        const auto slope = static_cast<float>(leanOf(normalOf(mesh_, t)));
-        steepest_ = std::max(steepest_, slope);
-        cellsOf(t, [&](std::size_t cell) {
             cellSteepest_[cell] = std::max(cellSteepest_[cell], slope);
         });
     }

@@ -177,7 +177,6 @@ TEST_P(TreeTest, LoopsStayClosedAlongIndependentRates) {
             EXPECT_LT((motion.poses()[i].position - uncorrected[i].position).norm(), 1e-6);
         }
         state = moved;
-        independent.resize(static_cast<std::size_t>(loops.independentCount()));
         EXPECT_EQ(loops.choice(), choice) << "no reason to choose again";
     }
 }
