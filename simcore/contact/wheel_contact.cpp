@@ -124,7 +124,7 @@ void WheelContactFinder::findSides(int index, const Vec3& center, const Vec3& ax
     if (slices_ < 2) {
         return;
     }
-    constexpr double kSamePoint = 1e-3;  // [m], assumed
+    constexpr double kRimHasIt = 1e-3;  // [m], assumed
     const mechanism::Wheel& wheel = mechanism_.wheels[static_cast<std::size_t>(index)];
     const Vec3 forward = planeOf(center, axis).u;
     const Cylinder cylinder{center, axis, forward, wheel.radius, kOuterSlice * wheel.width};
@@ -139,7 +139,7 @@ void WheelContactFinder::findSides(int index, const Vec3& center, const Vec3& ax
                                        contacts_.begin() + static_cast<std::ptrdiff_t>(rimEnd),
                                        [&](const Contact& c) {
                                            return c.normal.dot(contact.normal) > kLikeNormal &&
-                                                  (c.point - contact.point).norm() < kSamePoint;
+                                                  (c.point - contact.point).norm() < kRimHasIt;
                                        });
         if (!known) {
             const Vec3 along = forward - forward.dot(contact.normal) * contact.normal;
