@@ -14,16 +14,28 @@ namespace simcore::contact {
 /// `Contact::slice` of contacts on a wheel's sides.
 inline constexpr int kSide = -1;
 
-/// One contact point of one wheel.
+/// One contact point of one wheel, or of a body that is no wheel.
 struct Contact {
-    int wheel = -1;
+    int wheel = -1;  ///< -1: of `body`
     /// Outer ones first, then inner ones, each from right to left; kSide for the flat sides.
     int slice = 0;
     Vec3 point = Vec3::Zero();     ///< on the ground [m], world
     Vec3 normal = Vec3::UnitZ();   ///< unit, ground to wheel, world
     Vec3 forward = Vec3::UnitX();  ///< unit, the rolling direction, square to the normal, world
     double depth = 0.0;            ///< penetration [m], > 0 inside
+    int body = -1;                 ///< where no wheel touches: the body that does
 };
+
+/// The body that touches.
+inline int bodyOf(const Contact& contact, const mechanism::Mechanism& mechanism) {
+    return contact.wheel >= 0 ? mechanism.wheels[static_cast<std::size_t>(contact.wheel)].body
+                              : contact.body;
+}
+
+/// Whether two contacts are on one wheel, or on one body that is no wheel.
+inline bool onSamePart(const Contact& a, const Contact& b) {
+    return a.wheel == b.wheel && (a.wheel >= 0 || a.body == b.body);
+}
 
 /// Finds the contacts of every wheel. Each wheel is cut into `slices` discs; each disc is
 /// intersected exactly with the terrain. A wheel at floor and wall touches twice per slice. On

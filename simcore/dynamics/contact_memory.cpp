@@ -6,7 +6,7 @@ namespace simcore::dynamics {
 namespace {
 
 constexpr double kSameContact = 0.03;  // [m]
-constexpr std::size_t kNumbers = 11;
+constexpr std::size_t kNumbers = 12;
 
 }  // namespace
 
@@ -14,7 +14,7 @@ const ContactMemory::Remembered* ContactMemory::recall(const contact::Contact& c
     const Remembered* best = nullptr;
     double bestDistance = kSameContact;
     for (const Remembered& old : memory_) {
-        if (old.wheel != contact.wheel || old.slice != contact.slice) {
+        if (old.wheel != contact.wheel || old.body != contact.body || old.slice != contact.slice) {
             continue;
         }
         const double distance = (old.point - contact.point).norm();
@@ -31,16 +31,16 @@ void ContactMemory::remember(std::span<const contact::Contact> contacts,
     memory_.resize(contacts.size());
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const contact::Contact& c = contacts[i];
-        memory_[i] = {c.wheel, c.slice, c.point, forces[i], c.normal};
+        memory_[i] = {c.wheel, c.body, c.slice, c.point, forces[i], c.normal};
     }
 }
 
 void ContactMemory::save(std::vector<double>& numbers) const {
     for (const Remembered& m : memory_) {
-        numbers.insert(numbers.end(),
-                       {static_cast<double>(m.wheel), static_cast<double>(m.slice), m.point.x(),
-                        m.point.y(), m.point.z(), m.force.x(), m.force.y(), m.force.z(),
-                        m.normal.x(), m.normal.y(), m.normal.z()});
+        numbers.insert(numbers.end(), {static_cast<double>(m.wheel), static_cast<double>(m.body),
+                                       static_cast<double>(m.slice), m.point.x(), m.point.y(),
+                                       m.point.z(), m.force.x(), m.force.y(), m.force.z(),
+                                       m.normal.x(), m.normal.y(), m.normal.z()});
     }
 }
 
@@ -52,9 +52,10 @@ void ContactMemory::restore(std::span<const double> numbers) {
     for (; !numbers.empty(); numbers = numbers.subspan(kNumbers)) {
         memory_.push_back({static_cast<int>(numbers[0]),
                            static_cast<int>(numbers[1]),
-                           {numbers[2], numbers[3], numbers[4]},
-                           {numbers[5], numbers[6], numbers[7]},
-                           {numbers[8], numbers[9], numbers[10]}});
+                           static_cast<int>(numbers[2]),
+                           {numbers[3], numbers[4], numbers[5]},
+                           {numbers[6], numbers[7], numbers[8]},
+                           {numbers[9], numbers[10], numbers[11]}});
     }
 }
 

@@ -8,11 +8,12 @@
 namespace simcore::dynamics {
 
 /// The contact forces of the last step, to start the next one from: a contact is the same one when
-/// it is on the same disc of the same wheel and within 30 mm.
+/// it is on the same disc of the same wheel (or body) and within 30 mm.
 class ContactMemory {
   public:
     struct Remembered {
         int wheel = 0;
+        int body = 0;  ///< of contacts that are no wheel's
         int slice = 0;
         Vec3 point = Vec3::Zero();  ///< world [m]
         Vec3 force = Vec3::Zero();  ///< of the ground on the wheel, world [N]

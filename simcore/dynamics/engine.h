@@ -46,11 +46,14 @@ struct StepInput {
 };
 
 /// What the first body of a joint does to the second, motors and stops included, in the world: a
-/// force at the joint's point [N] and a torque [N m]. In a hyperstatic mechanism only the parts
-/// that the loads determine mean anything.
+/// force at the joint's point [N] and a torque [N m].
 struct JointReaction {
     Vec3 force = Vec3::Zero();
     Vec3 torque = Vec3::Zero();
+    /// Whether the loads alone determine it: all of it vanishes in every self-stress. What is not
+    /// determined depends on play, stiffness and errors of manufacture; engines give the split that
+    /// is least in norm, or what their solver came to.
+    bool determined = true;
 };
 
 /// Velocity of a body: of its centre of mass [m/s] and angular [rad/s], world.
@@ -59,11 +62,21 @@ struct BodyVelocity {
     Vec3 angular = Vec3::Zero();
 };
 
-/// Counters of how hard the steps were, for a run's report.
+/// How hard the steps were, for a run's report. What an engine has no such thing of stays as it is
+/// here.
 struct EngineCounters {
     long steps = 0;
-    long passes = 0;          ///< solves, >= steps
-    long solverMessages = 0;  ///< solves that failed, after all that the engine does about it
+    long passes = 0;             ///< solves, >= steps; of the reduced engine: Newton's iterations
+    long solverMessages = 0;     ///< solves that failed, after all that the engine does about it
+    long fallbacks = 0;          ///< solves that were left to the slower and surer method
+    double worstResidual = 0.0;  ///< by which a contact force missed its law [N]
+    long dividedSteps = 0;       ///< made of shorter ones, as a loop changed its motion fast
+    long choices = 0;            ///< times that the dependent joints were chosen anew
+    /// Of the joints that a loop makes dependent, at the worst pose: 1 = well conditioned, 0 =
+    /// singular pose.
+    double leastPivotRatio = 1.0;
+    /// What a user should know, each once.
+    std::vector<std::string> warnings;
 };
 
 /// A mechanism in motion. Not thread safe: made, stepped and destroyed by one thread.
@@ -89,10 +102,20 @@ class Engine {
     virtual const std::vector<JointReaction>& jointReactions() const = 0;
 
     /// Everything the next step depends on, as numbers: restoring it continues bit for bit.
-    virtual std::vector<double> saveState() const = 0;
+    /// In `numbers`, which keeps its room.
+    virtual void writeState(std::vector<double>& numbers) const = 0;
     virtual void restoreState(std::span<const double> state) = 0;
 
+    std::vector<double> saveState() const {
+        std::vector<double> numbers;
+        writeState(numbers);
+        return numbers;
+    }
+
     virtual const EngineCounters& counters() const = 0;
+
+    /// Why the last step is not to be trusted; empty when it is. The run ends there.
+    virtual std::string trouble() const { return {}; }
 };
 
 /// Makes an engine for a mechanism; how a run is told which engine to use.
@@ -111,8 +134,12 @@ double wheelRate(const mechanism::Wheel& wheel, const std::vector<Pose>& poses,
 double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses,
                  mechanism::Model model = mechanism::Model::Built);
 
+/// What no engine can run in this mechanism; empty when there is nothing.
+Problems whyNoEngineCanRun(const mechanism::Mechanism& mechanism);
+
 /// What the engine in reduced coordinates cannot run in this mechanism; empty when it can.
-Problems whyReducedCannotRun(const mechanism::Mechanism& mechanism);
+Problems whyReducedCannotRun(const mechanism::Mechanism& mechanism,
+                             mechanism::Model joints = mechanism::Model::Built);
 
 /// Independent rates instead of constraints, and Coulomb's cone (docs/engines.md).
 /// @throws std::invalid_argument when whyReducedCannotRun() is not empty

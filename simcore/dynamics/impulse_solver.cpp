@@ -112,9 +112,9 @@ bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Eigen
         ++counters.iterations;
         matrix_ = problem.mass;
         right_ = problem.momentum;
-        for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
-            stiff_[b].setZero();
-            push_[b].setZero();
+        for (const int touched : problem.touched) {
+            stiff_[static_cast<std::size_t>(touched)].setZero();
+            push_[static_cast<std::size_t>(touched)].setZero();
         }
         // Every contact pushes with p = p0 - C v in the state that it is in now.
         laws_.resize(problem.contacts.size());
@@ -150,7 +150,8 @@ bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Eigen
                 push_[body].noalias() += contact.wrenches * push;
             }
         }
-        for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+        for (const int touched : problem.touched) {
+            const auto b = static_cast<std::size_t>(touched);
             const RateMap& body = problem.bodies[b];
             for (std::size_t j = 0; j < body.indices.size(); ++j) {
                 const Vec6 resisted = stiff_[b] * body.twists[j];

@@ -81,6 +81,7 @@ struct ImpulseProblem {
     RowMajor mass;             ///< A, implicit forces included
     Eigen::VectorXd momentum;  ///< g
     std::vector<RateMap> bodies;
+    std::vector<int> touched;  ///< bodies that have contacts; the maps of others are not looked at
     std::vector<ContactRow> contacts;
     std::vector<ScalarRow> rows;
     double normalCompliance = 0.0;      ///< e_n [1/kg]

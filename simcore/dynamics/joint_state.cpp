@@ -45,4 +45,15 @@ double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>&
     return largest;
 }
 
+Problems whyNoEngineCanRun(const mechanism::Mechanism& mechanism) {
+    Problems problems;
+    for (const mechanism::Body& body : mechanism.bodies) {
+        if (!(body.mass > 0.0) || !body.com.allFinite() || !body.inertia.allFinite()) {
+            problems.push_back({Severity::Critical, "body " + body.name,
+                                "its mass, centre or inertia is not usable.", "Correct them."});
+        }
+    }
+    return problems;
+}
+
 }  // namespace simcore::dynamics

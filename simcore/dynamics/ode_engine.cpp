@@ -50,7 +50,7 @@ class OdeEngine final : public Engine {
 
     const std::vector<JointReaction>& jointReactions() const override { return jointReactions_; }
 
-    std::vector<double> saveState() const override;
+    void writeState(std::vector<double>& numbers) const override;
     void restoreState(std::span<const double> state) override;
 
     const EngineCounters& counters() const override { return counters_; }
@@ -240,7 +240,7 @@ void OdeEngine::makeContacts(const StepInput& input, int repetition) {
         toOde(c.geom.normal, touch.normal);
         toOde(c.fdir1, box.direction);
         c.geom.depth = touch.depth;
-        const int body = mechanism_.wheels[static_cast<std::size_t>(touch.wheel)].body;
+        const int body = bodyOf(touch, mechanism_);
         const dJointID joint = dJointCreateContact(world_.world(), world_.contactGroup(), &c);
         dJointAttach(joint, bodies_[static_cast<std::size_t>(body)], nullptr);
         dJointSetFeedback(joint, &feedback_[i]);
@@ -253,7 +253,7 @@ void OdeEngine::readContacts(const StepInput& input) {
     for (std::size_t i = 0; i < feedback_.size(); ++i) {
         contactForces_[i] = toVec3(feedback_[i].f1);
         const contact::Contact& touch = input.contacts[i];
-        const int body = mechanism_.wheels[static_cast<std::size_t>(touch.wheel)].body;
+        const int body = bodyOf(touch, mechanism_);
         const dBodyID wheel = bodies_[static_cast<std::size_t>(body)];
         const Vec3 arm = touch.point - state_[static_cast<std::size_t>(body)].position;
         contactVelocities_[i] =
@@ -302,8 +302,8 @@ void OdeEngine::step(const StepInput& input) {
     ++counters_.steps;
 }
 
-std::vector<double> OdeEngine::saveState() const {
-    std::vector<double> numbers;
+void OdeEngine::writeState(std::vector<double>& numbers) const {
+    numbers.clear();
     numbers.reserve(state_.size() * kNumbersPerBody);
     for (const BodyState& s : state_) {
         const Eigen::Vector4d& q = s.rotation.coeffs();
@@ -314,7 +314,6 @@ std::vector<double> OdeEngine::saveState() const {
         }
     }
     bounds_.save(numbers);
-    return numbers;
 }
 
 void OdeEngine::restoreState(std::span<const double> numbers) {

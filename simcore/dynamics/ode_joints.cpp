@@ -255,7 +255,7 @@ Problems whyOdeCannotRun(const mechanism::Mechanism& mechanism) {
                                 "Connect pins of the same carrier."});
         }
     }
-    appendNew(problems, whyReducedCannotRun(mechanism));
+    appendNew(problems, whyNoEngineCanRun(mechanism));
     return problems;
 }
 

@@ -84,7 +84,7 @@ class ReducedEngine final : public Engine {
 
     const std::vector<JointReaction>& jointReactions() const override;
 
-    std::vector<double> saveState() const override;
+    void writeState(std::vector<double>& numbers) const override;
     void restoreState(std::span<const double> state) override;
 
     const EngineCounters& counters() const override { return counters_; }
@@ -97,7 +97,7 @@ class ReducedEngine final : public Engine {
     void toIndependent(const Between& between, const Vec6& wrench, std::vector<int>& indices,
                        std::vector<double>& factors) const;
     void makePattern();
-    void mapWheels();
+    void mapBody(int position);
     void applyTorques(const StepInput& input);
     void applyElastics();
     void chooseImplicit();
@@ -128,7 +128,8 @@ class ReducedEngine final : public Engine {
     ImpulseProblem problem_;
     ImpulseSolver solver_;
     ImpulseCounters impulses_;
-    std::vector<int> rowJoints_;  ///< joint of each scalar row
+    std::vector<std::size_t> rowTouches_;  ///< the input's contact of each contact row
+    std::vector<int> rowJoints_;           ///< joint of each scalar row
     std::vector<Vec6> rowWrenches_;
     std::vector<Vec6> wrenches_;  ///< on the tree's bodies from outside, gravity not included
     std::vector<double> forces_;
@@ -287,14 +288,11 @@ void ReducedEngine::makePattern() {
         lu_.couple(indicesOf(wayOf(at)));
     }
     problem_.bodies.clear();
-    for (const mechanism::Wheel& wheel : mechanism_.wheels) {
+    for (const TreeBody& at : tree_.bodies()) {
         RateMap map;
-        if (const int at = tree_.positionOf(wheel.body); at >= 0) {
-            map.indices = indicesOf(wayOf(tree_.bodies()[static_cast<std::size_t>(at)]));
-            std::sort(map.indices.begin(), map.indices.end());
-            map.indices.erase(std::unique(map.indices.begin(), map.indices.end()),
-                              map.indices.end());
-        }
+        map.indices = indicesOf(wayOf(at));
+        std::sort(map.indices.begin(), map.indices.end());
+        map.indices.erase(std::unique(map.indices.begin(), map.indices.end()), map.indices.end());
         map.twists.resize(map.indices.size());
         problem_.bodies.push_back(std::move(map));
     }
@@ -309,21 +307,18 @@ void ReducedEngine::makePattern() {
     problem_.momentum.resize(n);
 }
 
-void ReducedEngine::mapWheels() {
+void ReducedEngine::mapBody(int position) {
     places_.resize(static_cast<std::size_t>(loops_.independentCount()));
-    for (std::size_t w = 0; w < mechanism_.wheels.size(); ++w) {
-        const int position = tree_.positionOf(mechanism_.wheels[w].body);
-        RateMap& map = problem_.bodies[w];
-        for (std::size_t i = 0; i < map.indices.size(); ++i) {
-            map.twists[i].setZero();
-            places_[static_cast<std::size_t>(map.indices[i])] = i;
-        }
-        int rate = position < 0 ? -1 : tree_.bodies()[static_cast<std::size_t>(position)].lastRate;
-        for (; rate >= 0; rate = tree_.rateBefore(rate)) {
-            for (const RateTerm& term : loops_.terms(rate)) {
-                map.twists[places_[static_cast<std::size_t>(term.index)]] +=
-                    term.factor * motion_.screws()[static_cast<std::size_t>(rate)];
-            }
+    RateMap& map = problem_.bodies[static_cast<std::size_t>(position)];
+    for (std::size_t i = 0; i < map.indices.size(); ++i) {
+        map.twists[i].setZero();
+        places_[static_cast<std::size_t>(map.indices[i])] = i;
+    }
+    int rate = tree_.bodies()[static_cast<std::size_t>(position)].lastRate;
+    for (; rate >= 0; rate = tree_.rateBefore(rate)) {
+        for (const RateTerm& term : loops_.terms(rate)) {
+            map.twists[places_[static_cast<std::size_t>(term.index)]] +=
+                term.factor * motion_.screws()[static_cast<std::size_t>(rate)];
         }
     }
 }
@@ -487,12 +482,24 @@ void ReducedEngine::makeContacts(const StepInput& input) {
     problem_.normalCompliance = 1.0 / (dt * (kContactStiffness * dt + kContactDamping));
     problem_.tangentialCompliance = 1.0 / (dt * kStickingDamping);
     problem_.tolerance = kForceTolerance * dt;
-    problem_.contacts.resize(input.contacts.size());
+    problem_.contacts.clear();
+    problem_.touched.clear();
+    rowTouches_.clear();
     for (std::size_t i = 0; i < input.contacts.size(); ++i) {
         const contact::Contact& touch = input.contacts[i];
-        ContactRow& row = problem_.contacts[i];
-        row.body = touch.wheel;
-        const int body = mechanism_.wheels[static_cast<std::size_t>(touch.wheel)].body;
+        const int body = bodyOf(touch, mechanism_);
+        const int position = tree_.positionOf(body);
+        if (position < 0) {
+            continue;  // fixed: it bears anything
+        }
+        if (std::find(problem_.touched.begin(), problem_.touched.end(), position) ==
+            problem_.touched.end()) {
+            problem_.touched.push_back(position);
+            mapBody(position);
+        }
+        rowTouches_.push_back(i);
+        ContactRow& row = problem_.contacts.emplace_back();
+        row.body = position;
         const Vec3 arm = touch.point - motion_.origin(body);
         const Vec3 side = touch.normal.cross(touch.forward);
         row.wrenches.col(0) = forceAt(touch.normal, arm);
@@ -563,7 +570,6 @@ void ReducedEngine::step(const StepInput& input) {
         makePattern();
     }
     motion_.weigh();
-    mapWheels();
     applyTorques(input);
     applyElastics();
     makeMass();
@@ -593,15 +599,12 @@ void ReducedEngine::finish(const StepInput& input) {
         change_[j] = dt * rate;
     }
     ratesAfter_ = state_.rates;
-    contactForces_.resize(input.contacts.size());
-    for (std::size_t i = 0; i < input.contacts.size(); ++i) {
+    contactForces_.assign(input.contacts.size(), Vec3::Zero());
+    for (std::size_t i = 0; i < rowTouches_.size(); ++i) {
         const ContactRow& row = problem_.contacts[i];
         const Vec6 wrench = row.wrenches * row.impulse / dt;
-        contactForces_[i] = wrench.tail<3>();
-        const int body = mechanism_.wheels[static_cast<std::size_t>(row.body)].body;
-        if (const int at = tree_.positionOf(body); at >= 0) {
-            wrenches_[static_cast<std::size_t>(at)] += wrench;
-        }
+        contactForces_[rowTouches_[i]] = wrench.tail<3>();
+        wrenches_[static_cast<std::size_t>(row.body)] += wrench;
     }
     for (const Elastic& elastic : elastics_) {
         push(elastic.between,
@@ -680,8 +683,8 @@ const std::vector<JointReaction>& ReducedEngine::jointReactions() const {
     return reactions_;
 }
 
-std::vector<double> ReducedEngine::saveState() const {
-    std::vector<double> numbers = state_.coordinates;
+void ReducedEngine::writeState(std::vector<double>& numbers) const {
+    numbers.assign(state_.coordinates.begin(), state_.coordinates.end());
     numbers.insert(numbers.end(), state_.rates.begin(), state_.rates.end());
     for (const Eigen::Quaterniond& ball : state_.balls) {
         numbers.insert(numbers.end(), {ball.x(), ball.y(), ball.z(), ball.w()});
@@ -697,7 +700,6 @@ std::vector<double> ReducedEngine::saveState() const {
     }
     loops_.save(numbers);
     memory_.save(numbers);
-    return numbers;
 }
 
 void ReducedEngine::restoreState(std::span<const double> numbers) {
@@ -733,15 +735,8 @@ void ReducedEngine::restoreState(std::span<const double> numbers) {
 
 }  // namespace
 
-Problems whyReducedCannotRun(const mechanism::Mechanism& mechanism) {
-    Problems problems;
-    for (const mechanism::Body& body : mechanism.bodies) {
-        if (!(body.mass > 0.0) || !body.com.allFinite() || !body.inertia.allFinite()) {
-            problems.push_back({Severity::Critical, "body " + body.name,
-                                "its mass, centre or inertia is not usable.", "Correct them."});
-        }
-    }
-    return problems;
+Problems whyReducedCannotRun(const mechanism::Mechanism& mechanism, mechanism::Model /*joints*/) {
+    return whyNoEngineCanRun(mechanism);
 }
 
 std::unique_ptr<Engine> makeReducedEngine(const mechanism::Mechanism& mechanism,

@@ -88,6 +88,7 @@ struct Simulation::Impl {
     std::vector<double> frictions;               ///< of each contact
     std::vector<double> rollingLoads;            ///< c N of each wheel, of the last step [N]
     std::vector<dynamics::JointMotor> motors;
+    std::vector<double> lastGood;  ///< the engine's state before the step
     long controlTicks = 0;
 
     StateHash hash;  ///< of the states that steps started from
@@ -226,7 +227,7 @@ void Simulation::Impl::step() {
     applyDrives();
     before = engine->poses();
     contacts = contactFinder.find(before);
-    const std::vector<double> lastGood = engine->saveState();
+    engine->writeState(lastGood);
     grounds.clear();
     frictions.clear();
     for (const contact::Contact& contact : contacts) {
@@ -296,6 +297,9 @@ void Simulation::Impl::measure() {
     rollingLoads.assign(wheels.size(), 0.0);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const contact::Contact& contact = contacts[i];
+        if (contact.wheel < 0) {
+            continue;
+        }
         rollingLoads[static_cast<std::size_t>(contact.wheel)] +=
             grounds[i].rollingResistance *
             std::max(0.0, engine->contactForces()[i].dot(contact.normal));

@@ -156,7 +156,8 @@ void FrictionMeter::observe(std::span<const contact::Contact> contacts,
         return;
     }
     started_ = true;
-    // A patch is all contacts of one wheel on one face: the slices' contacts with like normals.
+    // A patch is all contacts of one wheel (or body) on one face: the slices' contacts with like
+    // normals.
     constexpr double kSameFace = 0.95;  // cosine
     constexpr double kSlack = 0.2;      // [N]
     std::vector<bool> used(contacts.size(), false);
@@ -169,7 +170,7 @@ void FrictionMeter::observe(std::span<const contact::Contact> contacts,
         Vec3 tangential = Vec3::Zero();
         for (std::size_t k = i; k < contacts.size(); ++k) {
             const Vec3& normal = contacts[k].normal;
-            if (used[k] || contacts[k].wheel != contacts[i].wheel ||
+            if (used[k] || !onSamePart(contacts[k], contacts[i]) ||
                 normal.dot(contacts[i].normal) < kSameFace) {
                 continue;
             }

@@ -101,8 +101,8 @@ class FreeBodyEngine final : public Engine {
 
     const std::vector<JointReaction>& jointReactions() const override { return noReactions_; }
 
-    std::vector<double> saveState() const override {
-        std::vector<double> numbers;
+    void writeState(std::vector<double>& numbers) const override {
+        numbers.clear();
         for (const State& s : state_) {
             for (const Vec3& v : {s.position, s.momentum, s.spin}) {
                 numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
@@ -110,7 +110,6 @@ class FreeBodyEngine final : public Engine {
             const Eigen::Vector4d& q = s.rotation.coeffs();
             numbers.insert(numbers.end(), {q[0], q[1], q[2], q[3]});
         }
-        return numbers;
     }
 
     void restoreState(std::span<const double> numbers) override {

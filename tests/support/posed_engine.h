@@ -27,7 +27,7 @@ class PosedEngine final : public simcore::dynamics::Engine {
         return reactions;
     }
 
-    std::vector<double> saveState() const override { return {}; }
+    void writeState(std::vector<double>& numbers) const override { numbers.clear(); }
 
     void restoreState(std::span<const double> /*state*/) override {}
 

@@ -26,6 +26,7 @@ struct PointOnSlope {
             body.twists.push_back(slideAlong(Vec3::Unit(axis)));
         }
         problem.bodies = {body};
+        problem.touched = {0};
         const Vec3 normal(std::sin(angle), 0.0, std::cos(angle));
         const Vec3 down(std::cos(angle), 0.0, -std::sin(angle));
         ContactRow contact;
