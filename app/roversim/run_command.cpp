@@ -124,8 +124,15 @@ void printTable(const run::RunReport& report) {
         "mm\n",
         report.frictionViolationPercent, report.frictionWorstPercent, 1e3 * report.loopErrorMax,
         1e3 * report.penetrationMax);
-    fmt::print("  {:.2f} solves a step, {} solver messages; state hash {}\n\n",
-               report.solvesPerStep, report.solverMessages, report.stateHash);
+    fmt::print("  {:.2f} solves a step, {} fallbacks, {} solver messages, contact residual {:.1g} N\n",
+               report.solvesPerStep, report.fallbacks, report.solverMessages,
+               report.contactResidualMax);
+    fmt::print("  least pivot ratio {:.2g}, {} divided steps; state hash {}\n",
+               report.pivotRatioMin, report.dividedSteps, report.stateHash);
+    for (const std::string& warning : report.warnings) {
+        fmt::print("  warning: {}\n", warning);
+    }
+    fmt::print("\n");
     fmt::print("  {:<22}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "wheel", "slip [mm]", "signed [mm]",
                "load [N]", "torque [Nm]", "air [s]");
     for (const run::WheelReport& wheel : report.wheels) {

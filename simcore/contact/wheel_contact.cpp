@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <span>
 
 namespace simcore::contact {
 namespace {
@@ -40,24 +41,34 @@ WheelContactFinder::WheelContactFinder(const mechanism::Mechanism& mechanism,
     : mechanism_(mechanism),
       terrain_(terrain),
       slices_(slices),
-      margin_(margin) {}
-
-int WheelContactFinder::innerSlices(const mechanism::Wheel& wheel) const {
-    // What is the same at every y cannot stand between two slices.
-    if (!terrain_.profile().empty() || slices_ < 2) {
-        return 0;
+      margin_(margin) {
+    for (const mechanism::Wheel& wheel : mechanism.wheels) {
+        discs_.push_back(discsOf(wheel));
+        segments_.resize(std::max(segments_.size(), discs_.back().offsets.size()));
     }
-    const double gap = 2.0 * kOuterSlice * wheel.width / (slices_ - 1);
-    return std::clamp(static_cast<int>(std::ceil(gap / kInnerSpacing)) - 1, 0, kMostInner) *
-           (slices_ - 1);
 }
 
-const std::vector<SliceContact>& WheelContactFinder::touch(const SlicePlane& plane,
-                                                           const mechanism::Wheel& wheel) {
-    // A little more than the radius, so that every corner comes with both its segments.
-    constexpr double kMore = 1e-5;
-    terrain_.slice(plane, wheel.radius + margin_ + kMore, segments_);
-    return slice_.find(segments_, plane, wheel.radius, margin_);
+WheelContactFinder::Discs WheelContactFinder::discsOf(const mechanism::Wheel& wheel) const {
+    const int gaps = slices_ - 1;
+    int inner = 0;  // in each gap
+    // What is the same at every y cannot stand between two slices.
+    if (terrain_.profile().empty() && gaps > 0) {
+        const double gap = 2.0 * kOuterSlice * wheel.width / gaps;
+        inner = std::clamp(static_cast<int>(std::ceil(gap / kInnerSpacing)) - 1, 0, kMostInner);
+    }
+    Discs discs;
+    discs.perGap = static_cast<std::size_t>(inner) + 1;
+    const int count = slices_ + gaps * inner;
+    for (int disc = 0; disc < count; ++disc) {
+        discs.offsets.push_back(offsetOf(disc, count) * wheel.width);
+    }
+    return discs;
+}
+
+/// @param plane  the disc's
+const std::vector<SliceContact>& WheelContactFinder::touch(std::size_t wheel, std::size_t disc,
+                                                           const SlicePlane& plane) {
+    return slice_.find(segments_[disc], plane, mechanism_.wheels[wheel].radius, margin_);
 }
 
 void WheelContactFinder::add(int wheel, int slice, const SlicePlane& plane, const Vec3& axis,
@@ -67,15 +78,15 @@ void WheelContactFinder::add(int wheel, int slice, const SlicePlane& plane, cons
                          axis.cross(contact.normal).normalized(), contact.depth});
 }
 
-void WheelContactFinder::findOuter(int index, const Vec3& center, const Vec3& axis) {
-    const mechanism::Wheel& wheel = mechanism_.wheels[static_cast<std::size_t>(index)];
+void WheelContactFinder::findOuter(std::size_t wheel, const SlicePlane& middle, const Vec3& axis) {
+    const Discs& discs = discs_[wheel];
     const std::size_t first = contacts_.size();
     buried_.clear();
     for (int slice = 0; slice < slices_; ++slice) {
-        const SlicePlane plane =
-            planeOf(center + offsetOf(slice, slices_) * wheel.width * axis, axis);
-        for (const SliceContact& contact : touch(plane, wheel)) {
-            add(index, slice, plane, axis, contact);
+        const std::size_t disc = static_cast<std::size_t>(slice) * discs.perGap;
+        const SlicePlane plane{middle.origin + discs.offsets[disc] * axis, middle.u, middle.v};
+        for (const SliceContact& contact : touch(wheel, disc, plane)) {
+            add(static_cast<int>(wheel), slice, plane, axis, contact);
         }
         if (slice_.behind()) {
             buried_.push_back({slice, plane, *slice_.behind()});
@@ -85,25 +96,22 @@ void WheelContactFinder::findOuter(int index, const Vec3& center, const Vec3& ax
     // side of a block is not thrown onto it.
     if (contacts_.size() == first && buried_.size() == static_cast<std::size_t>(slices_)) {
         for (const Buried& b : buried_) {
-            add(index, b.slice, b.plane, axis, b.contact);
+            add(static_cast<int>(wheel), b.slice, b.plane, axis, b.contact);
         }
     }
 }
 
-void WheelContactFinder::findInner(int index, const Vec3& center, const Vec3& axis,
+void WheelContactFinder::findInner(std::size_t wheel, const SlicePlane& middle, const Vec3& axis,
                                    std::size_t first) {
-    const mechanism::Wheel& wheel = mechanism_.wheels[static_cast<std::size_t>(index)];
-    const int inner = innerSlices(wheel);
-    const int perGap = inner / std::max(1, slices_ - 1) + 1;
+    const Discs& discs = discs_[wheel];
     const std::size_t outerEnd = contacts_.size();
-    const int all = slices_ + inner;
     int slice = slices_;
-    for (int disc = 0; disc < all; ++disc) {
-        if (disc % perGap == 0) {
-            continue;  // an outer one
+    for (std::size_t disc = 0; disc < discs.offsets.size(); ++disc) {
+        if (discs.isOuter(disc)) {
+            continue;
         }
-        const SlicePlane plane = planeOf(center + offsetOf(disc, all) * wheel.width * axis, axis);
-        for (const SliceContact& contact : touch(plane, wheel)) {
+        const SlicePlane plane{middle.origin + discs.offsets[disc] * axis, middle.u, middle.v};
+        for (const SliceContact& contact : touch(wheel, disc, plane)) {
             const bool bulge = std::none_of(
                 contacts_.begin() + static_cast<std::ptrdiff_t>(first),
                 contacts_.begin() + static_cast<std::ptrdiff_t>(outerEnd), [&](const Contact& c) {
@@ -111,7 +119,7 @@ void WheelContactFinder::findInner(int index, const Vec3& center, const Vec3& ax
                            c.depth > contact.depth - kBulge;
                 });
             if (bulge) {
-                add(index, slice, plane, axis, contact);
+                add(static_cast<int>(wheel), slice, plane, axis, contact);
             }
         }
         ++slice;
@@ -119,15 +127,15 @@ void WheelContactFinder::findInner(int index, const Vec3& center, const Vec3& ax
 }
 
 // A face that leans in touches side and rim at one and the same point: the rim has it already.
-void WheelContactFinder::findSides(int index, const Vec3& center, const Vec3& axis,
+void WheelContactFinder::findSides(std::size_t index, const SlicePlane& middle, const Vec3& axis,
                                    std::size_t first) {
     if (slices_ < 2) {
         return;
     }
     constexpr double kRimHasIt = 1e-3;  // [m], assumed
-    const mechanism::Wheel& wheel = mechanism_.wheels[static_cast<std::size_t>(index)];
-    const Vec3 forward = planeOf(center, axis).u;
-    const Cylinder cylinder{center, axis, forward, wheel.radius, kOuterSlice * wheel.width};
+    const mechanism::Wheel& wheel = mechanism_.wheels[index];
+    const Vec3& forward = middle.u;
+    const Cylinder cylinder{middle.origin, axis, forward, wheel.radius, kOuterSlice * wheel.width};
     const std::vector<SideContact>& sides = side_.find(terrain_, cylinder, margin_);
     if (sides.empty()) {
         return;
@@ -144,7 +152,7 @@ void WheelContactFinder::findSides(int index, const Vec3& center, const Vec3& ax
         if (!known) {
             const Vec3 along = forward - forward.dot(contact.normal) * contact.normal;
             contacts_.push_back(
-                {index, kSide, contact.point, contact.normal, along.normalized(), contact.depth});
+                {static_cast<int>(index), kSide, contact.point, contact.normal, along.normalized(), contact.depth});
         }
     }
 }
@@ -176,15 +184,20 @@ void WheelContactFinder::dropOvertopped(const std::vector<SideContact>& sides, s
 
 const std::vector<Contact>& WheelContactFinder::find(const std::vector<Pose>& bodies) {
     contacts_.clear();
+    // A little more than the radius, so that every corner comes with both its segments.
+    constexpr double kMore = 1e-5;
     for (std::size_t i = 0; i < mechanism_.wheels.size(); ++i) {
         const mechanism::Wheel& wheel = mechanism_.wheels[i];
         const Pose& pose = bodies[static_cast<std::size_t>(wheel.body)];
         const Vec3 axis = pose.rotation * wheel.axis;
-        const Vec3 center = pose * wheel.center;
+        const SlicePlane middle = planeOf(pose * wheel.center, axis);
+        const std::vector<double>& offsets = discs_[i].offsets;
+        terrain_.slice(middle, offsets, wheel.radius + margin_ + kMore,
+                       std::span(segments_).first(offsets.size()));
         const std::size_t first = contacts_.size();
-        findOuter(static_cast<int>(i), center, axis);
-        findInner(static_cast<int>(i), center, axis, first);
-        findSides(static_cast<int>(i), center, axis, first);
+        findOuter(i, middle, axis);
+        findInner(i, middle, axis, first);
+        findSides(i, middle, axis, first);
     }
     return contacts_;
 }

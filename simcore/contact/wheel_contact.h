@@ -51,6 +51,14 @@ class WheelContactFinder {
     const std::vector<Contact>& find(const std::vector<Pose>& bodies);
 
   private:
+    /// A wheel cut into discs.
+    struct Discs {
+        std::vector<double> offsets;  ///< from the wheel's middle along its axis, ascending [m]
+        std::size_t perGap = 1;       ///< discs from one outer one to the next
+
+        bool isOuter(std::size_t disc) const { return disc % perGap == 0; }
+    };
+
     /// A disc whose centre is under ground.
     struct Buried {
         int slice;
@@ -58,24 +66,27 @@ class WheelContactFinder {
         SliceContact contact;
     };
 
-    int innerSlices(const mechanism::Wheel& wheel) const;
-    const std::vector<SliceContact>& touch(const terrain::SlicePlane& plane,
-                                           const mechanism::Wheel& wheel);
+    Discs discsOf(const mechanism::Wheel& wheel) const;
+    const std::vector<SliceContact>& touch(std::size_t wheel, std::size_t disc,
+                                           const terrain::SlicePlane& plane);
     void add(int wheel, int slice, const terrain::SlicePlane& plane, const Vec3& axis,
              const SliceContact& contact);
-    void findOuter(int index, const Vec3& center, const Vec3& axis);
-    void findSides(int index, const Vec3& center, const Vec3& axis, std::size_t first);
+    void findOuter(std::size_t wheel, const terrain::SlicePlane& middle, const Vec3& axis);
+    void findInner(std::size_t wheel, const terrain::SlicePlane& middle, const Vec3& axis,
+                   std::size_t first);
+    void findSides(std::size_t wheel, const terrain::SlicePlane& middle, const Vec3& axis,
+                   std::size_t first);
     void dropOvertopped(const std::vector<SideContact>& sides, std::size_t first);
-    void findInner(int index, const Vec3& center, const Vec3& axis, std::size_t first);
 
     const mechanism::Mechanism& mechanism_;
     const terrain::Terrain& terrain_;
     int slices_;
     double margin_;
+    std::vector<Discs> discs_;  ///< of every wheel
     SliceContactFinder slice_;
     SideContactFinder side_;
     std::vector<Buried> buried_;
-    std::vector<terrain::SliceSegment> segments_;
+    std::vector<std::vector<terrain::SliceSegment>> segments_;  ///< of a wheel's discs
     std::vector<Contact> contacts_;
     std::vector<Contact> kept_;
 };

@@ -130,7 +130,20 @@ double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
 double wheelRate(const mechanism::Wheel& wheel, const std::vector<Pose>& poses,
                  const std::vector<BodyVelocity>& velocities);
 
-/// Largest gap between the two bodies of any joint, along the directions it holds [m].
+/// Measures the largest gap between the two bodies of any joint, along the directions it holds.
+class LoopErrorMeter {
+  public:
+    explicit LoopErrorMeter(const mechanism::Mechanism& mechanism,
+                            mechanism::Model model = mechanism::Model::Built);
+
+    double measure(const std::vector<Pose>& poses) const;  ///< [m]
+
+  private:
+    const mechanism::Mechanism& mechanism_;
+    std::vector<std::vector<Vec3>> slides_;  ///< free ones of every joint, its first body's frame
+};
+
+/// The same, once [m].
 double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses,
                  mechanism::Model model = mechanism::Model::Built);
 

@@ -1,16 +1,18 @@
 #include "simcore/dynamics/impulse_solver.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace simcore::dynamics {
 namespace {
 
-// Of the projections that tell contact states apart; within 0.02 to 0.2 kg it makes no difference.
-constexpr double kProjectionMass = 0.02;  // [kg]
 constexpr int kMaxIterations = 10;
 constexpr int kMaxLimitChanges = 6;
 constexpr int kMaxSweeps = 2000;
+// Creep of sticking, over what it is to be, in the stages that Newton's iteration gets when it
+// cycles; each starts from where the one before it came to.
+constexpr std::array<double, 4> kStages{300.0, 30.0, 5.0, 1.0};
 
 double along(const ScalarRow& row, const Eigen::VectorXd& u) {
     double velocity = 0.0;
@@ -31,13 +33,24 @@ Vec6 twistOf(const RateMap& body, const Eigen::VectorXd& u) {
 /// The impulse nearest to `p` within the cone.
 Vec3 projected(const Vec3& p, double friction) {
     const double normal = std::max(0.0, p[0]);
-    const double tangential = std::hypot(p[1], p[2]);
+    const double tangential = std::sqrt(p[1] * p[1] + p[2] * p[2]);
     const double limit = friction * normal;
     const double scale = tangential > limit ? limit / tangential : 1.0;
     return {normal, scale * p[1], scale * p[2]};
 }
 
 }  // namespace
+
+double naturalResidual(const ContactRow& contact, double normalCompliance,
+                       double tangentialCompliance) {
+    const double r = kProjectionMass;
+    const Vec3& p = contact.impulse;
+    const Vec3& v = contact.velocity;
+    const Vec3 trial(p[0] - r * (v[0] + normalCompliance * p[0] - contact.bound),
+                     p[1] - r * (v[1] + tangentialCompliance * p[1]),
+                     p[2] - r * (v[2] + tangentialCompliance * p[2]));
+    return (p - projected(trial, contact.friction)).cwiseAbs().maxCoeff();
+}
 
 void PatternedLu::reset(int size) {
     size_ = size;
@@ -183,12 +196,7 @@ bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Eigen
             contact.velocity = contact.wrenches.transpose() *
                                twistOf(problem.bodies[static_cast<std::size_t>(contact.body)], u);
             contact.impulse = laws_[c].first - laws_[c].second * contact.velocity;
-            const Vec3& p = contact.impulse;
-            const Vec3& v = contact.velocity;
-            const Vec3 trial(p[0] - r * (v[0] + en * p[0] - contact.bound),
-                             p[1] - r * (v[1] + et * p[1]), p[2] - r * (v[2] + et * p[2]));
-            residual =
-                std::max(residual, (p - projected(trial, contact.friction)).cwiseAbs().maxCoeff());
+            residual = std::max(residual, naturalResidual(contact, en, et));
         }
         if (!(residual > problem.tolerance)) {
             return std::isfinite(residual);
@@ -197,20 +205,31 @@ bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Eigen
     return false;
 }
 
-void ImpulseSolver::solve(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
-                          ImpulseCounters& counters) {
-    // A stop pushes or not, a motor is at a limit or not: changed only between solves of the
-    // contacts, since changing both at once cycles.
-    limits_.resize(problem.rows.size());
-    for (std::size_t k = 0; k < problem.rows.size(); ++k) {
-        limits_[k] = problem.rows[k].starts ? 0 : (problem.rows[k].least == 0.0 ? -1 : 0);
+bool ImpulseSolver::newtonInStages(ImpulseProblem& problem, const PatternedLu& lu,
+                                   Eigen::VectorXd& u, ImpulseCounters& counters) {
+    const double creep = problem.tangentialCompliance;
+    u = firstU_;
+    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+        problem.contacts[c].impulse = firstImpulses_[c];
     }
     bool solved = false;
+    for (const double stage : kStages) {
+        problem.tangentialCompliance = stage * creep;
+        solved = newton(problem, lu, u, counters);
+    }
+    return solved;
+}
+
+// A stop pushes or not, a motor is at a limit or not: changed only between solves of the contacts,
+// since changing both at once cycles.
+bool ImpulseSolver::withinLimits(ImpulseProblem& problem, const PatternedLu& lu,
+                                 Eigen::VectorXd& u, ImpulseCounters& counters) {
+    bool within = true;
     for (int change = 0; change < kMaxLimitChanges; ++change) {
-        if (!newton(problem, lu, u, counters)) {
-            break;
+        if (!newton(problem, lu, u, counters) && !newtonInStages(problem, lu, u, counters)) {
+            return false;
         }
-        solved = true;
+        within = true;
         for (std::size_t k = 0; k < problem.rows.size(); ++k) {
             ScalarRow& row = problem.rows[k];
             const double asked = (row.bound - along(row, u)) / row.compliance;
@@ -218,53 +237,109 @@ void ImpulseSolver::solve(ImpulseProblem& problem, const PatternedLu& lu, Eigen:
             row.impulse = std::clamp(asked, row.least, row.most);
             if (limit != limits_[k]) {
                 limits_[k] = limit;
-                solved = false;
+                within = false;
             }
         }
-        if (solved) {
-            return;
+        if (within) {
+            return true;
         }
     }
-    ++counters.fallbacks;
-    if (!gradients(problem, lu, u)) {
-        ++counters.failures;
-    }
+    return false;
 }
 
-void ImpulseSolver::sweep(ImpulseProblem& problem, Eigen::VectorXd& p) const {
+void ImpulseSolver::solve(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
+                          ImpulseCounters& counters) {
+    limits_.resize(problem.rows.size());
+    for (std::size_t k = 0; k < problem.rows.size(); ++k) {
+        limits_[k] = problem.rows[k].starts ? 0 : (problem.rows[k].least == 0.0 ? -1 : 0);
+    }
+    firstU_ = u;
+    firstImpulses_.clear();
+    for (const ContactRow& contact : problem.contacts) {
+        firstImpulses_.push_back(contact.impulse);
+    }
+    if (!withinLimits(problem, lu, u, counters)) {
+        ++counters.fallbacks;
+        for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+            problem.contacts[c].impulse = firstImpulses_[c];
+        }
+        if (!gradients(problem, lu, u)) {
+            ++counters.failures;
+        }
+    }
+    noteResidual(problem, counters);
+}
+
+void ImpulseSolver::noteResidual(const ImpulseProblem& problem, ImpulseCounters& counters) const {
+    double residual = 0.0;
+    for (const ContactRow& contact : problem.contacts) {
+        residual = std::max(residual, naturalResidual(contact, problem.normalCompliance,
+                                                      problem.tangentialCompliance));
+    }
+    counters.residual = std::max(counters.residual, residual);
+}
+
+void ImpulseSolver::sweep(ImpulseProblem& problem, double* p) const {
     const double en = problem.normalCompliance;
     const double et = problem.tangentialCompliance;
-    const auto velocity = [&](Eigen::Index row) { return free_[row] + delassus_.row(row).dot(p); };
+    const auto m = static_cast<std::size_t>(size_);
+    const auto velocity = [&](std::size_t row) {
+        return free_[row] + Eigen::Map<const Eigen::VectorXd>(delassus_ + row * m, size_)
+                                .dot(Eigen::Map<const Eigen::VectorXd>(p, size_));
+    };
+    const auto element = [&](std::size_t row, std::size_t column) {
+        return delassus_[row * m + column];
+    };
     for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-        const auto at = static_cast<Eigen::Index>(3 * c);
+        const std::size_t at = 3 * c;
         const ContactRow& contact = problem.contacts[c];
         p[at] = std::max(
-            0.0, p[at] - (velocity(at) + en * p[at] - contact.bound) / (delassus_(at, at) + en));
+            0.0, p[at] - (velocity(at) + en * p[at] - contact.bound) / (element(at, at) + en));
         // One scale for both directions: with a scale of its own for each, friction would no longer
         // point against the sliding.
-        const double a = delassus_(at + 1, at + 1);
-        const double b = delassus_(at + 2, at + 2);
-        const double c2 = delassus_(at + 1, at + 2);
-        const double largest = 0.5 * (a + b) + std::hypot(0.5 * (a - b), c2) + et;
+        const double a = element(at + 1, at + 1);
+        const double b = element(at + 2, at + 2);
+        const double mixed = element(at + 1, at + 2);
+        const double largest =
+            0.5 * (a + b) + std::sqrt(0.25 * (a - b) * (a - b) + mixed * mixed) + et;
         const Vec3 trial(p[at], p[at + 1] - (velocity(at + 1) + et * p[at + 1]) / largest,
                          p[at + 2] - (velocity(at + 2) + et * p[at + 2]) / largest);
-        p.segment<3>(at) = projected(trial, contact.friction);
+        Eigen::Map<Vec3>{p + at} = projected(trial, contact.friction);
     }
-    const auto first = static_cast<Eigen::Index>(3 * problem.contacts.size());
+    const std::size_t first = 3 * problem.contacts.size();
     for (std::size_t k = 0; k < problem.rows.size(); ++k) {
         const ScalarRow& row = problem.rows[k];
-        const Eigen::Index at = first + static_cast<Eigen::Index>(k);
+        const std::size_t at = first + k;
         const double next = p[at] - (velocity(at) + row.compliance * p[at] - row.bound) /
-                                        (delassus_(at, at) + row.compliance);
+                                        (element(at, at) + row.compliance);
         p[at] = std::clamp(next, row.least, row.most);
     }
 }
 
+// In the space of the impulses, with the matrix of what each does to every velocity.
 bool ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u) {
+    using Matrix = Eigen::Map<RowMajor>;
+    using Vector = Eigen::Map<Eigen::VectorXd>;
     const auto n = problem.momentum.size();
     const auto contactRows = static_cast<Eigen::Index>(3 * problem.contacts.size());
     const auto m = contactRows + static_cast<Eigen::Index>(problem.rows.size());
-    RowMajor jacobian = RowMajor::Zero(m, n);
+    size_ = m;
+    room_.assign(static_cast<std::size_t>(2 * m * n + m * m + 5 * m), 0.0);
+    double* next = room_.data();
+    const auto take = [&next](Eigen::Index size) {
+        double* taken = next;
+        next += size;
+        return taken;
+    };
+    Matrix jacobian(take(m * n), m, n);
+    Matrix answers(take(m * n), m, n);  // of the rates to each row's unit impulse
+    delassus_ = take(m * m);
+    Vector p(take(m), m);
+    Vector before(take(m), m);
+    Vector gradient(take(m), m);
+    Vector direction(take(m), m);
+    Vector step(take(m), m);
+
     for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
         const ContactRow& contact = problem.contacts[c];
         const RateMap& body = problem.bodies[static_cast<std::size_t>(contact.body)];
@@ -281,19 +356,17 @@ bool ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
     }
     matrix_ = problem.mass;
     lu.factor(matrix_);
-    right_ = problem.momentum;
-    lu.solve(matrix_, right_);
-    const Eigen::VectorXd rest = right_;
-    free_ = jacobian * rest;
-    RowMajor answers(n, m);
+    u = problem.momentum;
+    lu.solve(matrix_, u);  // without any impulse
+    free_.resize(static_cast<std::size_t>(m));
+    Vector(free_.data(), m).noalias() = jacobian * u;
     for (Eigen::Index row = 0; row < m; ++row) {
         right_ = jacobian.row(row).transpose();
         lu.solve(matrix_, right_);
-        answers.col(row) = right_;
+        answers.row(row) = right_.transpose();
     }
-    delassus_ = jacobian * answers;
+    Matrix(delassus_, m, m).noalias() = jacobian * answers.transpose();
 
-    Eigen::VectorXd p(m);
     for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
         p.segment<3>(static_cast<Eigen::Index>(3 * c)) =
             projected(problem.contacts[c].impulse, problem.contacts[c].friction);
@@ -305,37 +378,39 @@ bool ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
     if (!p.allFinite()) {
         p.setZero();
     }
-    Eigen::VectorXd before = p;
-    sweep(problem, p);
-    Eigen::VectorXd gradient = before - p;
-    Eigen::VectorXd direction = -gradient;
+    before = p;
+    sweep(problem, p.data());
+    gradient = before - p;
+    direction = -gradient;
     bool converged = false;
     for (int k = 0; k < kMaxSweeps && !converged; ++k) {
         before = p;
-        sweep(problem, p);
-        const Eigen::VectorXd next = before - p;
-        converged = next.cwiseAbs().maxCoeff() < 0.1 * problem.tolerance;
+        sweep(problem, p.data());
+        step = before - p;
+        converged = step.cwiseAbs().maxCoeff() < 0.1 * problem.tolerance;
         if (converged) {
             break;
         }
         const double old = gradient.squaredNorm();
-        const double beta = old > 0.0 ? next.squaredNorm() / old : 2.0;
+        const double beta = old > 0.0 ? step.squaredNorm() / old : 2.0;
         if (beta > 1.0) {
             direction.setZero();
         } else {
             p += beta * direction;
-            direction = beta * direction - next;
+            direction = beta * direction - step;
         }
-        gradient = next;
+        gradient = step;
     }
+    u.noalias() += answers.transpose() * p;
     for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
         ContactRow& contact = problem.contacts[c];
         contact.impulse = p.segment<3>(static_cast<Eigen::Index>(3 * c));
+        contact.velocity = contact.wrenches.transpose() *
+                           twistOf(problem.bodies[static_cast<std::size_t>(contact.body)], u);
     }
     for (std::size_t k = 0; k < problem.rows.size(); ++k) {
         problem.rows[k].impulse = p[contactRows + static_cast<Eigen::Index>(k)];
     }
-    u = rest + answers * p;
     return converged;
 }
 

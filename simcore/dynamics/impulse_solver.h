@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -22,8 +23,9 @@
 /// that is Coulomb's cone with a little compliance, which makes the forces unique where wheels
 /// share a load. Solved by semi-smooth Newton in u (A. Kurdila; P. Alart and A. Curnier, Comput.
 /// Methods Appl. Mech. Eng. 92, 1991), which starts from the last step's impulses and needs one or
-/// two iterations; where it cycles, by nonsmooth nonlinear conjugate gradients (M. Silcowitz, S.
-/// Niebe and K. Erleben, Visual Computer 26, 2010), which converge.
+/// two iterations. Where it cycles it starts again with creepier sticking, which is taken back in
+/// stages; where that cycles, too, nonsmooth nonlinear conjugate gradients (M. Silcowitz, S. Niebe
+/// and K. Erleben, Visual Computer 26, 2010) converge, slowly.
 namespace simcore::dynamics {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -83,16 +85,28 @@ struct ImpulseProblem {
     std::vector<RateMap> bodies;
     std::vector<int> touched;  ///< bodies that have contacts; the maps of others are not looked at
     std::vector<ContactRow> contacts;
-    std::vector<ScalarRow> rows;
+    std::span<ScalarRow> rows;
     double normalCompliance = 0.0;      ///< e_n [1/kg]
     double tangentialCompliance = 0.0;  ///< e_t [1/kg]
     double tolerance = 0.0;             ///< of impulses [N s]
 };
 
+/// r of the projections that tell contact states apart [kg]; within 0.02 to 0.2 kg it makes no
+/// difference.
+inline constexpr double kProjectionMass = 0.02;
+
+/// How far a contact is from its law, as the natural map's largest component [N s]. Its velocity
+/// and impulse are looked at.
+double naturalResidual(const ContactRow& contact, double normalCompliance,
+                       double tangentialCompliance);
+
 struct ImpulseCounters {
     long iterations = 0;  ///< Newton's
     long fallbacks = 0;   ///< steps that it did not solve
     long failures = 0;    ///< steps that nothing solved within the tolerance
+    /// Worst of the natural map |p - proj(p - r (v + e p - b))| over all solves, with r =
+    /// kProjectionMass [N s].
+    double residual = 0.0;
 };
 
 class ImpulseSolver {
@@ -104,8 +118,13 @@ class ImpulseSolver {
   private:
     bool newton(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
                 ImpulseCounters& counters);
+    bool newtonInStages(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
+                        ImpulseCounters& counters);
+    bool withinLimits(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
+                      ImpulseCounters& counters);
+    void noteResidual(const ImpulseProblem& problem, ImpulseCounters& counters) const;
     bool gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u);
-    void sweep(ImpulseProblem& problem, Eigen::VectorXd& impulses) const;
+    void sweep(ImpulseProblem& problem, double* impulses) const;
 
     RowMajor matrix_;
     Eigen::VectorXd right_;
@@ -113,8 +132,14 @@ class ImpulseSolver {
     std::vector<Vec6> push_;
     std::vector<std::pair<Vec3, Mat3>> laws_;  ///< p0 and C of every contact
     std::vector<int> limits_;  ///< per scalar row: -1, 0, 1 where it is held at a limit
-    RowMajor delassus_;
-    Eigen::VectorXd free_;
+    // What solving starts from.
+    Eigen::VectorXd firstU_;
+    std::vector<Vec3> firstImpulses_;
+    // Of the gradients, with room that stays.
+    std::vector<double> room_;
+    double* delassus_ = nullptr;  ///< m x m, row by row
+    Eigen::Index size_ = 0;       ///< m
+    std::vector<double> free_;
 };
 
 }  // namespace simcore::dynamics

@@ -32,17 +32,31 @@ double wheelRate(const mechanism::Wheel& wheel, const std::vector<Pose>& poses,
            axis_W.dot(velocities[static_cast<std::size_t>(wheel.carrier)].angular);
 }
 
-double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses,
-                 mechanism::Model model) {
-    double largest = 0.0;
+LoopErrorMeter::LoopErrorMeter(const mechanism::Mechanism& mechanism, mechanism::Model model)
+    : mechanism_(mechanism) {
     for (const mechanism::Joint& joint : mechanism.joints) {
+        slides_.push_back(
+            directionsOf(freedomsOf(joint, model), mechanism::FreedomKind::Slide));
+    }
+}
+
+double LoopErrorMeter::measure(const std::vector<Pose>& poses) const {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < slides_.size(); ++i) {
+        const mechanism::Joint& joint = mechanism_.joints[i];
         const Pose& first = poses[static_cast<std::size_t>(joint.first)];
         const Pose& second = poses[static_cast<std::size_t>(joint.second)];
-        const Vec3 gap = first.rotation.conjugate() * (second * joint.point - first * joint.point);
-        const auto slides = directionsOf(freedomsOf(joint, model), mechanism::FreedomKind::Slide);
-        largest = std::max(largest, slides.empty() ? gap.norm() : lengthAcross(gap, slides));
+        const Vec3 gap = second * joint.point - first * joint.point;
+        largest = std::max(largest, slides_[i].empty()
+                                        ? gap.norm()
+                                        : lengthAcross(first.rotation.conjugate() * gap, slides_[i]));
     }
     return largest;
+}
+
+double loopError(const mechanism::Mechanism& mechanism, const std::vector<Pose>& poses,
+                 mechanism::Model model) {
+    return LoopErrorMeter(mechanism, model).measure(poses);
 }
 
 Problems whyNoEngineCanRun(const mechanism::Mechanism& mechanism) {

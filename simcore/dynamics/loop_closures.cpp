@@ -16,10 +16,14 @@ using mechanism::FreedomKind;
 
 /// Pivots below this share of the first one are no rank.
 constexpr double kRank = 1e-8;
-/// Choice of dependent rates is made anew when the pivots get this far apart.
-constexpr double kPoorChoice = 1e-3;
+/// A better choice of dependent rates is looked for when the pivots get this far apart.
+constexpr double kPoorChoice = 0.05;
+/// Below this share the pose counts as singular: what is divided by such pivots is noise.
+constexpr double kSingular = 1e-7;
 /// Gaps that are left [rad, or wheelbases].
 constexpr double kClosed = 1e-11;
+/// Gap of a redundant row that rounding does not explain.
+constexpr double kOpen = 1e-8;
 constexpr int kMaxCorrections = 12;
 
 /// The turn that a rotation makes, as a vector [rad].
@@ -41,7 +45,8 @@ LoopClosures::LoopClosures(const mechanism::Mechanism& mechanism, const Spanning
       tree_(tree),
       length_(mechanism.wheelbase()),
       spans_(static_cast<std::size_t>(tree.rateCount())),
-      change_(static_cast<std::size_t>(tree.rateCount()), 0.0) {
+      change_(static_cast<std::size_t>(tree.rateCount()), 0.0),
+      corrections_(change_) {
     makeClusters(model);
 }
 
@@ -74,6 +79,9 @@ void LoopClosures::makeClusters(mechanism::Model model) {
         closure.heldSlides =
             mechanism::orthogonalComplement(directionsOf(freedoms, FreedomKind::Slide));
         closure.turns = directionsOf(freedoms, FreedomKind::Turn);
+        if (closure.turns.size() == 1) {
+            closure.heldTurns = mechanism::orthogonalComplement(closure.turns);
+        }
         if (closure.arm.rates.empty()) {
             continue;  // both bodies are fixed
         }
@@ -171,7 +179,7 @@ void LoopClosures::evaluateClosure(const Closure& closure, const TreeMotion& mot
         }
         case 1: {
             const Vec3 carried = second.rotation * closure.turns[0];
-            for (const Vec3& across : mechanism::orthogonalComplement(closure.turns)) {
+            for (const Vec3& across : closure.heldTurns) {
                 const Vec3 fixed = first.rotation * across;
                 addTurn(carried.cross(fixed), fixed.dot(carried));
             }
@@ -229,7 +237,7 @@ void LoopClosures::evaluate(Cluster& cluster, const TreeMotion& motion) const {
     }
 }
 
-void LoopClosures::choose(Cluster& cluster) const {
+bool LoopClosures::choose(Cluster& cluster, std::size_t leastRank) const {
     Eigen::MatrixXd rest = cluster.jacobian;
     std::vector<int> rows(static_cast<std::size_t>(rest.rows()));
     std::vector<int> columns(static_cast<std::size_t>(rest.cols()));
@@ -262,16 +270,24 @@ void LoopClosures::choose(Cluster& cluster) const {
         }
         ++rank;
     }
+    if (static_cast<std::size_t>(rank) < leastRank ||
+        (static_cast<std::size_t>(rank) == cluster.dependent.size() &&
+         std::is_permutation(columns.begin(), columns.begin() + rank, cluster.dependent.begin()) &&
+         std::is_permutation(rows.begin(), rows.begin() + rank, cluster.used.begin()))) {
+        return false;
+    }
     cluster.used.assign(rows.begin(), rows.begin() + rank);
     cluster.dependent.assign(columns.begin(), columns.begin() + rank);
     cluster.independent.assign(columns.begin() + rank, columns.end());
+    cluster.held.resize(rank, rank);
+    cluster.solved.setZero(rank, static_cast<Eigen::Index>(cluster.independent.size()) + 1);
+    cluster.work = cluster.solved;
+    return true;
 }
 
 double LoopClosures::eliminate(Cluster& cluster) const {
     const auto rank = static_cast<Eigen::Index>(cluster.dependent.size());
     const auto others = static_cast<Eigen::Index>(cluster.independent.size());
-    cluster.held.resize(rank, rank);
-    cluster.solved.resize(rank, others + 1);
     for (Eigen::Index r = 0; r < rank; ++r) {
         const int row = cluster.used[static_cast<std::size_t>(r)];
         for (Eigen::Index c = 0; c < rank; ++c) {
@@ -279,10 +295,10 @@ double LoopClosures::eliminate(Cluster& cluster) const {
                 cluster.jacobian(row, cluster.dependent[static_cast<std::size_t>(c)]);
         }
         for (Eigen::Index c = 0; c < others; ++c) {
-            cluster.solved(r, c) =
+            cluster.work(r, c) =
                 -cluster.jacobian(row, cluster.independent[static_cast<std::size_t>(c)]);
         }
-        cluster.solved(r, others) = -cluster.gaps[row];
+        cluster.work(r, others) = -cluster.gaps[row];
     }
     // Gauss-Jordan with row pivoting, in place: matrices here are 2 x 2 to about 10 x 10.
     double smallest = 1e300;
@@ -293,12 +309,13 @@ double LoopClosures::eliminate(Cluster& cluster) const {
         pivotRow += k;
         if (pivotRow != k) {
             cluster.held.row(k).swap(cluster.held.row(pivotRow));
-            cluster.solved.row(k).swap(cluster.solved.row(pivotRow));
+            cluster.work.row(k).swap(cluster.work.row(pivotRow));
         }
         const double pivot = cluster.held(k, k);
         smallest = std::min(smallest, std::abs(pivot));
         largest = std::max(largest, std::abs(pivot));
-        if (pivot == 0.0) {
+        if (std::abs(pivot) <= kSingular * largest) {
+            cluster.solved.col(others).setZero();
             return 0.0;
         }
         for (Eigen::Index i = 0; i < rank; ++i) {
@@ -310,14 +327,18 @@ double LoopClosures::eliminate(Cluster& cluster) const {
                 cluster.held(i, c) -= factor * cluster.held(k, c);
             }
             for (Eigen::Index c = 0; c <= others; ++c) {
-                cluster.solved(i, c) -= factor * cluster.solved(k, c);
+                cluster.work(i, c) -= factor * cluster.work(k, c);
             }
         }
     }
     for (Eigen::Index k = 0; k < rank; ++k) {
-        cluster.solved.row(k) /= cluster.held(k, k);
+        cluster.solved.row(k) = cluster.work.row(k) / cluster.held(k, k);
     }
     return rank == 0 ? 1.0 : smallest / largest;
+}
+
+bool LoopClosures::redundantRowOpens(const Cluster& cluster) const {
+    return cluster.gaps.size() > 0 && cluster.gaps.cwiseAbs().maxCoeff() > kOpen;
 }
 
 void LoopClosures::reset(TreeState& state, TreeMotion& motion) {
@@ -327,7 +348,13 @@ void LoopClosures::reset(TreeState& state, TreeMotion& motion) {
             geared.angles[0] = geared.angles[1] = 0.0;
         }
         evaluate(cluster, motion);
-        choose(cluster);
+        cluster.used.clear();
+        cluster.dependent.clear();
+        cluster.independent.assign(cluster.rates.size(), 0);
+        std::iota(cluster.independent.begin(), cluster.independent.end(), 0);
+        cluster.solved.setZero(0, cluster.jacobian.cols() + 1);
+        choose(cluster, 0);
+        cluster.drawnRank = cluster.used.size();
     }
     number();
     close(state, motion);
@@ -335,29 +362,52 @@ void LoopClosures::reset(TreeState& state, TreeMotion& motion) {
 
 bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
     motion.place(state);
+    std::fill(corrections_.begin(), corrections_.end(), 0.0);
     bool chosen = false;
     bool closed = false;
     for (int correction = 0; !closed && correction <= kMaxCorrections; ++correction) {
         if (correction > 0) {
             advance(tree_, state, change_);
+            for (std::size_t i = 0; i < change_.size(); ++i) {
+                corrections_[i] += change_[i];
+            }
             motion.place(state);
         }
         closed = true;
         gap_ = 0.0;
+        pivotRatio_ = 1.0;
         std::fill(change_.begin(), change_.end(), 0.0);
-        for (Cluster& cluster : clusters_) {
+        for (std::size_t c = 0; c < clusters_.size(); ++c) {
+            Cluster& cluster = clusters_[c];
             evaluate(cluster, motion);
-            if (eliminate(cluster) < kPoorChoice && !chosen) {
-                choose(cluster);
-                eliminate(cluster);
+            double ratio = eliminate(cluster);
+            const auto usedRowsClose = [&cluster] {
+                return std::all_of(cluster.used.begin(), cluster.used.end(), [&](int row) {
+                    return std::abs(cluster.gaps[row]) < kClosed;
+                });
+            };
+            const std::size_t rank = cluster.used.size();
+            if ((ratio < kPoorChoice && choose(cluster, rank)) ||
+                (usedRowsClose() && redundantRowOpens(cluster) && choose(cluster, rank + 1))) {
+                ratio = eliminate(cluster);
                 chosen = true;
+            }
+            if (ratio < pivotRatio_) {
+                pivotRatio_ = ratio;
+                poorest_ = c;
+            }
+            if (ratio < kSingular) {
+                continue;  // closed again at the next pose
             }
             const Eigen::Index last = cluster.solved.cols() - 1;
             for (std::size_t i = 0; i < cluster.dependent.size(); ++i) {
                 const int rate = cluster.rates[static_cast<std::size_t>(cluster.dependent[i])];
                 change_[static_cast<std::size_t>(rate)] =
                     cluster.solved(static_cast<Eigen::Index>(i), last);
-                closed = closed && std::abs(cluster.gaps[cluster.used[i]]) < kClosed;
+            }
+            if (!usedRowsClose()) {
+                closed = false;
+                broken_ = c;
             }
             gap_ =
                 std::max(gap_, cluster.gaps.size() > 0 ? cluster.gaps.cwiseAbs().maxCoeff() : 0.0);
@@ -374,6 +424,80 @@ bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
     }
     renewTerms();
     return closed;
+}
+
+double LoopClosures::turnOf(std::span<const double> rates) const {
+    constexpr double kRest = 1e-3;  // [rad/s]
+    double turn = 0.0;
+    for (const Cluster& cluster : clusters_) {
+        double largest = kRest;
+        for (const int rate : cluster.rates) {
+            largest = std::max(largest, std::abs(rates[static_cast<std::size_t>(rate)]));
+        }
+        for (const int column : cluster.dependent) {
+            const int rate = cluster.rates[static_cast<std::size_t>(column)];
+            double now = 0.0;
+            for (const RateTerm& term : terms(rate)) {
+                now += term.factor * rates[static_cast<std::size_t>(rateOf(term.index))];
+            }
+            turn = std::max(turn,
+                            std::abs(now - rates[static_cast<std::size_t>(rate)]) / largest);
+        }
+    }
+    return turn;
+}
+
+std::string LoopClosures::nameOf(const Cluster& cluster) const {
+    std::vector<int> joints;
+    const auto add = [&joints](int joint) {
+        if (joint >= 0 && std::find(joints.begin(), joints.end(), joint) == joints.end()) {
+            joints.push_back(joint);
+        }
+    };
+    for (const TreeBody& at : tree_.bodies()) {
+        for (const TreeElement& element : at.elements) {
+            if (std::find(cluster.rates.begin(), cluster.rates.end(), element.rate) !=
+                cluster.rates.end()) {
+                add(at.joint);
+            }
+        }
+    }
+    for (const Closure& closure : cluster.closures) {
+        add(closure.joint);
+    }
+    std::string name = "the loop of joints";
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        name += (i == 0 ? " " : ", ") + mechanism_.joints[static_cast<std::size_t>(joints[i])].name;
+    }
+    return name;
+}
+
+std::string LoopClosures::poorestLoop() const {
+    return clusters_.empty() ? std::string() : nameOf(clusters_[poorest_]);
+}
+
+std::string LoopClosures::brokenLoop() const {
+    return clusters_.empty() ? std::string() : nameOf(clusters_[broken_]);
+}
+
+std::vector<std::string> LoopClosures::rigidLoops() const {
+    std::vector<std::string> names;
+    for (const Cluster& cluster : clusters_) {
+        if (cluster.independent.empty()) {
+            names.push_back(nameOf(cluster));
+        }
+    }
+    return names;
+}
+
+std::vector<std::string> LoopClosures::loopsDrawnSingular() const {
+    std::vector<std::string> names;
+    for (const Cluster& cluster : clusters_) {
+        if (cluster.used.size() > cluster.drawnRank) {
+            names.push_back(nameOf(cluster));
+        }
+    }
+    return names;
 }
 
 void LoopClosures::number() {
@@ -428,11 +552,37 @@ void LoopClosures::renewTerms() {
     }
 }
 
+void LoopClosures::act(const Arm& arm, const Vec6& wrench, std::vector<Vec6>& wrenches) const {
+    pushBetween(tree_, arm.first, arm.second, wrench, wrenches);
+}
+
+void LoopClosures::apply(const Cluster& cluster, const Eigen::VectorXd& rows,
+                         const TreeMotion& motion, std::vector<Vec6>& wrenches,
+                         std::vector<Vec6>& joints) const {
+    for (const Closure& closure : cluster.closures) {
+        evaluateClosure(closure, motion, rowWrenches_, rowGaps_);
+        Vec6 wrench = Vec6::Zero();
+        for (std::size_t r = 0; r < rowWrenches_.size(); ++r) {
+            wrench += rows[closure.row + static_cast<Eigen::Index>(r)] * rowWrenches_[r];
+        }
+        act(closure.arm, wrench, wrenches);
+        joints[static_cast<std::size_t>(closure.joint)] += wrench;
+    }
+    for (const Geared& geared : cluster.gears) {
+        const mechanism::Gear& gear = mechanism_.gears[static_cast<std::size_t>(geared.gear)];
+        const int gearJoints[2] = {gear.firstJoint, gear.secondJoint};
+        const double factors[2] = {-gear.ratio, 1.0};
+        for (int side = 0; side < 2; ++side) {
+            const Arm& arm = geared.arms[side];
+            const Vec3 axis = motion.poses()[static_cast<std::size_t>(arm.first)].rotation *
+                              mechanism_.joints[static_cast<std::size_t>(gearJoints[side])].axis;
+            act(arm, spatial(factors[side] * rows[geared.row] * axis, Vec3::Zero()), wrenches);
+        }
+    }
+}
+
 void LoopClosures::react(const TreeMotion& motion, const std::vector<double>& forces,
                          std::vector<Vec6>& wrenches, std::vector<Vec6>& joints) {
-    const auto act = [&](const Arm& arm, const Vec6& wrench) {
-        pushBetween(tree_, arm.first, arm.second, wrench, wrenches);
-    };
     for (Cluster& cluster : clusters_) {
         evaluate(cluster, motion);
         Eigen::VectorXd wanted(static_cast<Eigen::Index>(cluster.rates.size()));
@@ -443,29 +593,46 @@ void LoopClosures::react(const TreeMotion& motion, const std::vector<double>& fo
         Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> split;
         split.setThreshold(kRank);
         split.compute(cluster.jacobian.transpose());
-        const Eigen::VectorXd rows = split.solve(wanted);
-        for (const Closure& closure : cluster.closures) {
-            evaluateClosure(closure, motion, rowWrenches_, rowGaps_);
-            Vec6 wrench = Vec6::Zero();
-            for (std::size_t r = 0; r < rowWrenches_.size(); ++r) {
-                wrench += rows[closure.row + static_cast<Eigen::Index>(r)] * rowWrenches_[r];
+        apply(cluster, split.solve(wanted), motion, wrenches, joints);
+    }
+}
+
+std::vector<bool> LoopClosures::determinedJoints(const TreeMotion& motion) {
+    // Self-stress below this share of the largest is rounding.
+    constexpr double kNone = 1e-6;
+    std::vector<bool> determined(mechanism_.joints.size(), true);
+    for (Cluster& cluster : clusters_) {
+        evaluate(cluster, motion);
+        Eigen::FullPivHouseholderQR<Eigen::MatrixXd> rank;
+        rank.setThreshold(kRank);
+        rank.compute(cluster.jacobian);
+        const Eigen::MatrixXd basis = rank.matrixQ();
+        for (Eigen::Index stress = rank.rank(); stress < basis.cols(); ++stress) {
+            std::vector<Vec6> wrenches(tree_.bodies().size(), Vec6::Zero());
+            std::vector<Vec6> joints(determined.size(), Vec6::Zero());
+            apply(cluster, basis.col(stress), motion, wrenches, joints);
+            // The tree bears what acts on all that hangs from a joint.
+            for (std::size_t k = tree_.bodies().size(); k-- > 0;) {
+                const TreeBody& at = tree_.bodies()[k];
+                if (at.joint >= 0) {
+                    joints[static_cast<std::size_t>(at.joint)] = wrenches[k];
+                }
+                if (at.parent >= 0) {
+                    wrenches[static_cast<std::size_t>(at.parent)] += wrenches[k];
+                }
             }
-            act(closure.arm, wrench);
-            joints[static_cast<std::size_t>(closure.joint)] += wrench;
-        }
-        for (const Geared& geared : cluster.gears) {
-            const mechanism::Gear& gear = mechanism_.gears[static_cast<std::size_t>(geared.gear)];
-            const int gearJoints[2] = {gear.firstJoint, gear.secondJoint};
-            const double factors[2] = {-gear.ratio, 1.0};
-            for (int side = 0; side < 2; ++side) {
-                const Arm& arm = geared.arms[side];
-                const Vec3 axis =
-                    motion.poses()[static_cast<std::size_t>(arm.first)].rotation *
-                    mechanism_.joints[static_cast<std::size_t>(gearJoints[side])].axis;
-                act(arm, spatial(factors[side] * rows[geared.row] * axis, Vec3::Zero()));
+            double largest = 0.0;
+            for (const Vec6& wrench : joints) {
+                largest = std::max(largest, wrench.cwiseAbs().maxCoeff());
+            }
+            for (std::size_t i = 0; i < joints.size(); ++i) {
+                if (joints[i].cwiseAbs().maxCoeff() > kNone * largest) {
+                    determined[i] = false;
+                }
             }
         }
     }
+    return determined;
 }
 
 void LoopClosures::save(std::vector<double>& numbers) const {
@@ -477,6 +644,9 @@ void LoopClosures::save(std::vector<double>& numbers) const {
         addAll(cluster.dependent);
         addAll(cluster.independent);
         addAll(cluster.used);
+        // A singular pose does not tell them again.
+        numbers.insert(numbers.end(), cluster.solved.data(),
+                       cluster.solved.data() + cluster.solved.size());
         for (const Geared& geared : cluster.gears) {
             numbers.insert(numbers.end(), {geared.angles[0], geared.angles[1]});
         }
@@ -502,6 +672,13 @@ void LoopClosures::restore(std::span<const double>& numbers) {
         takeAll(cluster.dependent);
         takeAll(cluster.independent);
         takeAll(cluster.used);
+        const auto rank = static_cast<Eigen::Index>(cluster.dependent.size());
+        cluster.held.resize(rank, rank);
+        cluster.solved.setZero(rank, static_cast<Eigen::Index>(cluster.independent.size()) + 1);
+        cluster.work = cluster.solved;
+        for (Eigen::Index i = 0; i < cluster.solved.size(); ++i) {
+            cluster.solved.data()[i] = take();
+        }
         for (Geared& geared : cluster.gears) {
             geared.angles[0] = take();
             geared.angles[1] = take();

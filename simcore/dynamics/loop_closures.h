@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "simcore/dynamics/spanning_tree.h"
@@ -18,7 +19,10 @@ struct RateTerm {
 /// cluster of loops that share joints at a time: in each cluster as many rates as its rank depend
 /// on the others. Which ones is chosen by elimination with complete pivoting, and again when the
 /// choice has become a poor one. Rows that the chosen ones do not need are redundant: their gap is
-/// only looked at.
+/// only looked at. When it opens, the loop was in a singular pose before and is chosen anew.
+///
+/// In a singular pose, as that of a parallelogram with all its bars in line, no choice is good. A
+/// loop passes it with the proportions of rates that it came with.
 ///
 /// Independent rates are numbered from the leaves of the tree to its root, which keeps matrices of
 /// them sparse under elimination.
@@ -31,8 +35,27 @@ class LoopClosures {
     void reset(TreeState& state, TreeMotion& motion);
 
     /// Moves the dependent coordinates until all loops are closed, places the motion there and
-    /// renews terms(). False when some loop stays open.
+    /// renews terms(). False when some loop stays open: brokenLoop() then tells which.
     bool close(TreeState& state, TreeMotion& motion);
+
+    /// By how much the motion of loops turns from the pose where these rates were right to the pose
+    /// closed last: change of a rate over the largest of its loop, where that is not next to rest.
+    double turnOf(std::span<const double> rates) const;
+
+    /// By how much the last close() moved every coordinate [rad] or [m]; balls by a turn vector.
+    std::span<const double> corrections() const { return corrections_; }
+
+    /// Of the pivots that the last close() divided by, the smallest over the largest of its loop;
+    /// the least of all loops. Near 0 the pose is a singular one.
+    double pivotRatio() const { return pivotRatio_; }
+
+    /// The loop that pivotRatio() is of.
+    std::string poorestLoop() const;
+    std::string brokenLoop() const;
+    /// Loops whose joints leave them no motion at all.
+    std::vector<std::string> rigidLoops() const;
+    /// Loops in which more rows turned out to be needed than at the drawn pose.
+    std::vector<std::string> loopsDrawnSingular() const;
 
     int independentCount() const { return static_cast<int>(rates_.size()); }
 
@@ -59,6 +82,10 @@ class LoopClosures {
     void react(const TreeMotion& motion, const std::vector<double>& forces,
                std::vector<Vec6>& wrenches, std::vector<Vec6>& joints);
 
+    /// Of every joint of the mechanism, whether its reaction vanishes in all self-stresses of the
+    /// loops, so that the loads determine it.
+    std::vector<bool> determinedJoints(const TreeMotion& motion);
+
     void save(std::vector<double>& numbers) const;
     /// Takes its numbers off the front.
     void restore(std::span<const double>& numbers);
@@ -78,6 +105,7 @@ class LoopClosures {
         Arm arm;
         std::vector<Vec3> heldSlides;  ///< first body's frame
         std::vector<Vec3> turns;       ///< free ones
+        std::vector<Vec3> heldTurns;   ///< of a pin: square to its axis, first body's frame
         int row = 0;                   ///< first row in the cluster
     };
 
@@ -101,8 +129,9 @@ class LoopClosures {
         std::vector<int> independent;  ///< columns
         std::vector<int> used;         ///< rows
         Eigen::MatrixXd held;          ///< used rows, dependent columns; then its inverse
-        Eigen::MatrixXd solved;        ///< dependent rates by independent ones
-        Eigen::VectorXd correction;
+        Eigen::MatrixXd solved;        ///< dependent rates by independent ones, and correction
+        Eigen::MatrixXd work;
+        std::size_t drawnRank = 0;
     };
 
     struct Span {
@@ -115,9 +144,19 @@ class LoopClosures {
     /// Wrench of each of a closure's rows on its second body, with the gaps.
     void evaluateClosure(const Closure& closure, const TreeMotion& motion,
                          std::vector<Vec6>& wrenches, std::vector<double>& gaps) const;
-    void choose(Cluster& cluster) const;
-    /// Solves for the dependent rates; the smallest of the pivots over the largest.
+    /// False, and the choice is left as it is, where the pose has a lower rank than asked or the
+    /// same choice is the best.
+    bool choose(Cluster& cluster, std::size_t leastRank) const;
+    /// Solves for the dependent rates; the smallest of the pivots over the largest. Where that is
+    /// next to nothing, the solution stays as it was, without correction.
     double eliminate(Cluster& cluster) const;
+    /// Some row that the chosen ones should close is open.
+    bool redundantRowOpens(const Cluster& cluster) const;
+    std::string nameOf(const Cluster& cluster) const;
+    void act(const Arm& arm, const Vec6& wrench, std::vector<Vec6>& wrenches) const;
+    /// What a combination of a cluster's rows does to bodies and to the left-over joints.
+    void apply(const Cluster& cluster, const Eigen::VectorXd& rows, const TreeMotion& motion,
+               std::vector<Vec6>& wrenches, std::vector<Vec6>& joints) const;
     void number();
     void renewTerms();
 
@@ -129,8 +168,12 @@ class LoopClosures {
     std::vector<Span> spans_;
     std::vector<RateTerm> terms_;
     std::vector<double> change_;
+    std::vector<double> corrections_;
     int choice_ = 0;
     double gap_ = 0.0;
+    double pivotRatio_ = 1.0;
+    std::size_t poorest_ = 0;
+    std::size_t broken_ = 0;
     mutable std::vector<Vec6> rowWrenches_;
     mutable std::vector<double> rowGaps_;
 };

@@ -31,6 +31,16 @@ constexpr double kMotorDamping = 1e6;  // [N m s/rad]
 constexpr double kStiffSpring = 0.5;
 /// Agreement asked of contact forces [N].
 constexpr double kForceTolerance = 1e-3;
+/// A step is divided when the motion of a loop turns by more than this share in it, as it does next
+/// to singular poses; at most so often.
+constexpr double kFastTurn = 0.05;
+constexpr int kMostDivisions = 7;
+/// Next to a singular pose: the user is told, and energy is watched.
+constexpr double kPoorPivots = 0.02;
+/// Share of the kinetic energy that a passage of a singular pose may cost.
+constexpr double kEnergyTolerance = 0.01;
+/// Room for contacts from the start; more get theirs when they come.
+constexpr std::size_t kContactRoom = 128;
 
 /// A wrench that acts between two bodies.
 struct Between {
@@ -89,6 +99,8 @@ class ReducedEngine final : public Engine {
 
     const EngineCounters& counters() const override { return counters_; }
 
+    std::string trouble() const override { return trouble_; }
+
   private:
     Between between(int first, int second) const;
     void push(const Between& between, const Vec6& wrench, std::vector<Vec6>& wrenches) const;
@@ -98,16 +110,24 @@ class ReducedEngine final : public Engine {
                        std::vector<double>& factors) const;
     void makePattern();
     void mapBody(int position);
+    void cover(const StepInput& input, double dt, int divisions);
+    void solve(const StepInput& input);
+    double motion();
+    void commit();
+    void watchEnergy();
+    double kinetic(bool projected);
+    void warn(std::string text);
+    ScalarRow& addRow(int joint, const Vec6& wrench);
     void applyTorques(const StepInput& input);
     void applyElastics();
     void chooseImplicit();
+    void assembleMass();
     void makeMass();
     void makeContacts(const StepInput& input);
     void makeStops();
     void makeMotors(const StepInput& input);
     void conserveMomentum();
     void takeMomentum();
-    void finish(const StepInput& input);
     void updateVelocities();
 
     const mechanism::Mechanism mechanism_;
@@ -118,19 +138,23 @@ class ReducedEngine final : public Engine {
     std::vector<Elastic> elastics_;
     std::vector<Turner> turners_;  ///< of every joint
     std::vector<Float> floats_;
-    TreeState state_;
+    TreeState state_;  ///< its rates: those of the last step's way, corrections included
+    double dt_ = 0.0;  ///< of the step, or of the part of it that is being made
     std::vector<Vec6> momenta_;  ///< of what floats, about momentaPoints_
     std::vector<Vec3> momentaPoints_;
     ContactMemory memory_;
 
-    int choice_ = -1;
+    int choice_ = -1;       ///< that the pattern was made for
+    int firstChoice_ = 0;  ///< the drawn pose's
     PatternedLu lu_;
     ImpulseProblem problem_;
     ImpulseSolver solver_;
     ImpulseCounters impulses_;
     std::vector<std::size_t> rowTouches_;  ///< the input's contact of each contact row
-    std::vector<int> rowJoints_;           ///< joint of each scalar row
+    std::vector<ScalarRow> rows_;  ///< room for the problem's
+    std::vector<int> rowJoints_;   ///< joint of each
     std::vector<Vec6> rowWrenches_;
+    std::vector<double> depths_;  ///< of the input's contacts, now
     std::vector<Vec6> wrenches_;  ///< on the tree's bodies from outside, gravity not included
     std::vector<double> forces_;
     std::vector<double> accelerations_;
@@ -141,8 +165,18 @@ class ReducedEngine final : public Engine {
     std::vector<BodyVelocity> velocities_;
     std::vector<Vec3> contactForces_;
 
-    // The last step, for its reactions.
+    // The last step, or the last part of it, for its reactions.
     TreeState before_;
+    std::vector<Vec6> screwsBefore_;
+    std::vector<Vec6> momentaBefore_;
+    std::vector<Vec3> pointsBefore_;
+    double energyLost_ = 0.0;     ///< by projection, in the passage of a singular pose [J]
+    double energyEntered_ = 0.0;  ///< kinetic, where it began [J]
+    bool passing_ = false;
+    bool closed_ = true;
+    std::string trouble_;
+    std::vector<int> indices_;
+    std::vector<double> factors_;
     std::vector<double> ratesAfter_;
     std::vector<Vec6> jointPushes_;  ///< by stops and motors, on the second body
     mutable TreeMotion scratch_;
@@ -160,7 +194,8 @@ ReducedEngine::ReducedEngine(const mechanism::Mechanism& mechanism, const Engine
       loops_(mechanism_, tree_, settings.joints),
       scratch_(mechanism_, tree_),
       scratchLoops_(mechanism_, tree_, settings.joints) {
-    if (const Problems problems = whyReducedCannotRun(mechanism); !problems.empty()) {
+    if (const Problems problems = whyReducedCannotRun(mechanism, settings.joints);
+        !problems.empty()) {
         throw std::invalid_argument(toString(problems));
     }
     for (const mechanism::Spring& spring : mechanism_.springs) {
@@ -204,6 +239,13 @@ ReducedEngine::ReducedEngine(const mechanism::Mechanism& mechanism, const Engine
     forces_.assign(rates, 0.0);
     accelerations_.assign(rates, 0.0);
     change_.assign(rates, 0.0);
+    rows_.resize(4 * mechanism_.joints.size());
+    rowJoints_.reserve(rows_.size());
+    rowWrenches_.reserve(rows_.size());
+    problem_.contacts.reserve(kContactRoom);
+    rowTouches_.reserve(kContactRoom);
+    depths_.reserve(kContactRoom);
+    contactForces_.reserve(kContactRoom);
     reset();
 }
 
@@ -214,6 +256,7 @@ Between ReducedEngine::between(int first, int second) const {
 void ReducedEngine::reset() {
     state_ = tree_.drawnState();
     loops_.reset(state_, motion_);
+    firstChoice_ = loops_.choice();
     momenta_.assign(floats_.size(), Vec6::Zero());
     momentaPoints_.assign(floats_.size(), Vec3::Zero());
     memory_.clear();
@@ -222,6 +265,12 @@ void ReducedEngine::reset() {
     reactionsKnown_ = true;
     counters_ = {};
     impulses_ = {};
+    trouble_.clear();
+    passing_ = false;
+    dt_ = settings_.step;
+    for (const std::string& loop : loops_.rigidLoops()) {
+        warn(loop + " cannot move");
+    }
     velocities_.assign(mechanism_.bodies.size(), {});
     chooseImplicit();
 }
@@ -341,7 +390,7 @@ void ReducedEngine::applyTorques(const StepInput& input) {
 
 // Dampers push with their rate after the step, so that no damping is too strong for it.
 void ReducedEngine::applyElastics() {
-    const double dt = settings_.step;
+    const double dt = dt_;
     for (Elastic& elastic : elastics_) {
         double stiffness = 0.0;
         elastic.push = 0.0;
@@ -400,12 +449,11 @@ void ReducedEngine::chooseImplicit() {
         Eigen::VectorXd moved = push;
         lu_.solve(mass, moved);
         const double square = elastic.spring->stiffness * push.dot(moved);  // [rad^2/s^2]
-        elastic.implicit = settings_.step * settings_.step * square > kStiffSpring;
+        elastic.implicit = dt_ * dt_ * square > kStiffSpring;
     }
 }
 
-void ReducedEngine::makeMass() {
-    const double dt = settings_.step;
+void ReducedEngine::assembleMass() {
     problem_.mass.setZero();
     motion_.massMatrix([this](int i, int j, double value) {
         for (const RateTerm& a : loops_.terms(i)) {
@@ -418,6 +466,11 @@ void ReducedEngine::makeMass() {
             }
         }
     });
+}
+
+void ReducedEngine::makeMass() {
+    const double dt = dt_;
+    assembleMass();
     // The momentum that the old rates bring, with the forces of a step, within what joints allow.
     for (std::size_t i = 0; i < accelerations_.size(); ++i) {
         accelerations_[i] = -state_.rates[i] / dt;
@@ -430,14 +483,12 @@ void ReducedEngine::makeMass() {
             problem_.momentum[term.index] -= dt * term.factor * forces_[j];
         }
     }
-    std::vector<int> indices;
-    std::vector<double> factors;
     for (const Elastic& elastic : elastics_) {
-        toIndependent(elastic.between, elastic.wrench, indices, factors);
-        for (std::size_t i = 0; i < indices.size(); ++i) {
-            for (std::size_t j = 0; j < indices.size(); ++j) {
-                problem_.mass(indices[i], indices[j]) +=
-                    dt * elastic.resisted * factors[i] * factors[j];
+        toIndependent(elastic.between, elastic.wrench, indices_, factors_);
+        for (std::size_t i = 0; i < indices_.size(); ++i) {
+            for (std::size_t j = 0; j < indices_.size(); ++j) {
+                problem_.mass(indices_[i], indices_[j]) +=
+                    dt * elastic.resisted * factors_[i] * factors_[j];
             }
         }
     }
@@ -447,7 +498,7 @@ void ReducedEngine::makeMass() {
 // after the last step and what came from outside since, not for inertia times old rates at the new
 // pose, which is the same to first order only.
 void ReducedEngine::conserveMomentum() {
-    const double dt = settings_.step;
+    const double dt = dt_;
     for (std::size_t k = 0; k < floats_.size(); ++k) {
         const Float& root = floats_[k];
         Vec6 momentum = momenta_[k];
@@ -478,7 +529,7 @@ void ReducedEngine::takeMomentum() {
 }
 
 void ReducedEngine::makeContacts(const StepInput& input) {
-    const double dt = settings_.step;
+    const double dt = dt_;
     problem_.normalCompliance = 1.0 / (dt * (kContactStiffness * dt + kContactDamping));
     problem_.tangentialCompliance = 1.0 / (dt * kStickingDamping);
     problem_.tolerance = kForceTolerance * dt;
@@ -506,9 +557,10 @@ void ReducedEngine::makeContacts(const StepInput& input) {
         row.wrenches.col(1) = forceAt(touch.forward, arm);
         row.wrenches.col(2) = forceAt(side, arm);
         row.friction = input.frictions[i];
-        row.bound = touch.depth > 0.0 ? touch.depth * kContactStiffness /
-                                            (kContactStiffness * dt + kContactDamping)
-                                      : touch.depth / dt;
+        const double depth = depths_[i];
+        row.bound = depth > 0.0 ? depth * kContactStiffness /
+                                      (kContactStiffness * dt + kContactDamping)
+                                : depth / dt;
         row.impulse.setZero();
         if (const ContactMemory::Remembered* old = memory_.recall(touch)) {
             row.impulse = dt * Vec3(old->force.dot(touch.normal), old->force.dot(touch.forward),
@@ -517,8 +569,18 @@ void ReducedEngine::makeContacts(const StepInput& input) {
     }
 }
 
+ScalarRow& ReducedEngine::addRow(int joint, const Vec6& wrench) {
+    ScalarRow& row = rows_[rowJoints_.size()];
+    toIndependent(turners_[static_cast<std::size_t>(joint)].between, wrench, row.indices,
+                  row.factors);
+    row.impulse = 0.0;
+    rowJoints_.push_back(joint);
+    rowWrenches_.push_back(wrench);
+    return row;
+}
+
 void ReducedEngine::makeStops() {
-    const double dt = settings_.step;
+    const double dt = dt_;
     for (const Turner& turner : turners_) {
         const mechanism::Joint& joint = mechanism_.joints[static_cast<std::size_t>(turner.joint)];
         if (!joint.stops) {
@@ -532,40 +594,68 @@ void ReducedEngine::makeStops() {
             if (gap > kStopMargin + std::abs(rateOf(turner.between, wrench)) * dt) {
                 continue;
             }
-            ScalarRow row;
-            toIndependent(turner.between, wrench, row.indices, row.factors);
+            ScalarRow& row = addRow(turner.joint, wrench);
             row.compliance = 1.0 / (dt * (kStopStiffness * dt + kStopDamping));
             row.bound = gap < 0.0 ? -gap * kStopStiffness / (kStopStiffness * dt + kStopDamping)
                                   : -gap / dt;
             row.least = 0.0;
             row.most = std::numeric_limits<double>::infinity();
             row.starts = gap < 0.0;
-            problem_.rows.push_back(std::move(row));
-            rowJoints_.push_back(turner.joint);
-            rowWrenches_.push_back(wrench);
         }
     }
 }
 
 void ReducedEngine::makeMotors(const StepInput& input) {
-    const double dt = settings_.step;
+    const double dt = dt_;
     for (const JointMotor& motor : input.motors) {
         const Turner& turner = turners_[static_cast<std::size_t>(motor.joint)];
         const Vec6 wrench = axisOf(mechanism_.joints[static_cast<std::size_t>(motor.joint)]);
-        ScalarRow row;
-        toIndependent(turner.between, wrench, row.indices, row.factors);
+        ScalarRow& row = addRow(turner.joint, wrench);
         row.compliance = 1.0 / (dt * kMotorDamping);
         row.bound = motor.rate;
         row.most = dt * motor.torqueLimit;
         row.least = -row.most;
         row.starts = true;
-        problem_.rows.push_back(std::move(row));
-        rowJoints_.push_back(motor.joint);
-        rowWrenches_.push_back(wrench);
     }
 }
 
 void ReducedEngine::step(const StepInput& input) {
+    depths_.clear();
+    for (const contact::Contact& touch : input.contacts) {
+        depths_.push_back(touch.depth);
+    }
+    contactForces_.assign(input.contacts.size(), Vec3::Zero());
+    const long dividedBefore = counters_.dividedSteps;
+    cover(input, settings_.step, 0);
+    counters_.dividedSteps = std::min(counters_.dividedSteps, dividedBefore + 1);
+    memory_.remember(input.contacts, contactForces_);
+    reactionsKnown_ = false;
+    ++counters_.steps;
+    counters_.passes = impulses_.iterations;
+    counters_.fallbacks = impulses_.fallbacks;
+    counters_.solverMessages = impulses_.failures;
+    counters_.worstResidual = impulses_.residual / settings_.step;
+}
+
+/// Makes a step, or in halves when a loop turns too far in it.
+void ReducedEngine::cover(const StepInput& input, double dt, int divisions) {
+    dt_ = dt;
+    solve(input);
+    if (motion() > kFastTurn && divisions < kMostDivisions) {
+        state_ = before_;
+        momenta_ = momentaBefore_;
+        momentaPoints_ = pointsBefore_;
+        loops_.close(state_, motion_);
+        ++counters_.dividedSteps;
+        cover(input, 0.5 * dt, divisions + 1);
+        cover(input, 0.5 * dt, divisions + 1);
+        return;
+    }
+    commit();
+}
+
+/// Finds the rates after the step.
+void ReducedEngine::solve(const StepInput& input) {
     if (choice_ != loops_.choice()) {
         makePattern();
     }
@@ -574,58 +664,140 @@ void ReducedEngine::step(const StepInput& input) {
     applyElastics();
     makeMass();
     makeContacts(input);
-    problem_.rows.clear();
     rowJoints_.clear();
     rowWrenches_.clear();
     makeStops();
     makeMotors(input);
+    problem_.rows = std::span(rows_).first(rowJoints_.size());
     u_.resize(loops_.independentCount());
     for (Eigen::Index i = 0; i < u_.size(); ++i) {
         u_[i] = state_.rates[static_cast<std::size_t>(loops_.rateOf(static_cast<int>(i)))];
     }
     solver_.solve(problem_, lu_, u_, impulses_);
-    finish(input);
 }
 
-void ReducedEngine::finish(const StepInput& input) {
-    const double dt = settings_.step;
+/// Moves everything with them. By how much the loops' motion turned on the way.
+double ReducedEngine::motion() {
     before_ = state_;
+    momentaBefore_ = momenta_;
+    pointsBefore_ = momentaPoints_;
     for (std::size_t j = 0; j < state_.rates.size(); ++j) {
         double rate = 0.0;
         for (const RateTerm& term : loops_.terms(static_cast<int>(j))) {
             rate += term.factor * u_[term.index];
         }
         state_.rates[j] = rate;
-        change_[j] = dt * rate;
+        change_[j] = dt_ * rate;
     }
     ratesAfter_ = state_.rates;
-    contactForces_.assign(input.contacts.size(), Vec3::Zero());
+    takeMomentum();
+    updateVelocities();
+    screwsBefore_ = motion_.screws();
+    advance(tree_, state_, change_);
+    closed_ = loops_.close(state_, motion_);
+    return closed_ ? loops_.turnOf(ratesAfter_) : std::numeric_limits<double>::infinity();
+}
+
+/// Takes the step, or the part of it, for made.
+void ReducedEngine::commit() {
+    const double share = dt_ / settings_.step;
     for (std::size_t i = 0; i < rowTouches_.size(); ++i) {
         const ContactRow& row = problem_.contacts[i];
-        const Vec6 wrench = row.wrenches * row.impulse / dt;
-        contactForces_[rowTouches_[i]] = wrench.tail<3>();
+        const Vec6 wrench = row.wrenches * row.impulse / dt_;
+        contactForces_[rowTouches_[i]] += share * wrench.tail<3>();
+        depths_[rowTouches_[i]] -= dt_ * row.velocity[0];
         wrenches_[static_cast<std::size_t>(row.body)] += wrench;
     }
     for (const Elastic& elastic : elastics_) {
-        push(elastic.between,
-             -elastic.resisted * rateOf(elastic.between, elastic.wrench) * elastic.wrench,
-             wrenches_);
+        double rate = 0.0;
+        for (const SignedRate& signed_ : elastic.between.rates) {
+            rate += signed_.sign *
+                    elastic.wrench.dot(screwsBefore_[static_cast<std::size_t>(signed_.rate)]) *
+                    ratesAfter_[static_cast<std::size_t>(signed_.rate)];
+        }
+        push(elastic.between, -elastic.resisted * rate * elastic.wrench, wrenches_);
     }
     jointPushes_.assign(mechanism_.joints.size(), Vec6::Zero());
     for (std::size_t k = 0; k < problem_.rows.size(); ++k) {
         jointPushes_[static_cast<std::size_t>(rowJoints_[k])] +=
-            problem_.rows[k].impulse / dt * rowWrenches_[k];
+            problem_.rows[k].impulse / dt_ * rowWrenches_[k];
     }
-    memory_.remember(input.contacts, contactForces_);
-    takeMomentum();
-    updateVelocities();
-    advance(tree_, state_, change_);
-    if (!loops_.close(state_, motion_)) {
-        ++counters_.solverMessages;
+    // The rates of the way that was made, which the next step's momentum comes from: along a loop
+    // that turns, those at its start alone would lose energy.
+    for (std::size_t j = 0; j < state_.rates.size(); ++j) {
+        state_.rates[j] += loops_.corrections()[j] / dt_;
     }
-    reactionsKnown_ = false;
-    ++counters_.steps;
-    counters_.passes = impulses_.iterations;
+    if (!closed_) {
+        trouble_ = loops_.brokenLoop() + " cannot be closed";
+    }
+    counters_.leastPivotRatio = std::min(counters_.leastPivotRatio, loops_.pivotRatio());
+    counters_.choices = loops_.choice() - firstChoice_;
+    for (const std::string& loop : loops_.loopsDrawnSingular()) {
+        warn(loop + " is drawn in a singular pose: which way it went on from there is chance");
+    }
+    watchEnergy();
+}
+
+void ReducedEngine::warn(std::string text) {
+    std::vector<std::string>& warnings = counters_.warnings;
+    if (std::find(warnings.begin(), warnings.end(), text) == warnings.end()) {
+        warnings.push_back(std::move(text));
+    }
+}
+
+// Joints do no work. What the projection onto the loops' new motion takes from the energy all the
+// same is small as long as the loops turn slowly; next to a singular pose it is looked at.
+void ReducedEngine::watchEnergy() {
+    if (loops_.pivotRatio() > kPoorPivots) {
+        passing_ = false;
+        return;
+    }
+    warn(loops_.poorestLoop() + " passed next to a singular pose");
+    if (choice_ != loops_.choice()) {
+        makePattern();
+    }
+    motion_.weigh();
+    const double before = kinetic(false);
+    const double after = kinetic(true);
+    if (!passing_) {
+        passing_ = true;
+        energyLost_ = 0.0;
+        energyEntered_ = before;
+    }
+    energyLost_ += before - after;
+    if (std::abs(energyLost_) > kEnergyTolerance * std::max(energyEntered_, before)) {
+        trouble_ = loops_.poorestLoop() +
+                   " passed a singular pose, where energy could not be kept within 1 %";
+    }
+}
+
+/// Energy of the rates at the present pose, or of what the loops leave of them [J].
+double ReducedEngine::kinetic(bool projected) {
+    const auto momentumOf = [this](const std::vector<double>& rates) {
+        // Inertia times rates, as the force of that acceleration from rest without weight.
+        std::fill(change_.begin(), change_.end(), 0.0);
+        std::vector<Vec6> none(wrenches_.size(), Vec6::Zero());
+        motion_.inverseDynamics(change_, rates, 0.0, none, forces_);
+    };
+    momentumOf(state_.rates);
+    double energy = 0.0;
+    if (!projected) {
+        for (std::size_t j = 0; j < forces_.size(); ++j) {
+            energy += 0.5 * forces_[j] * state_.rates[j];
+        }
+        return energy;
+    }
+    assembleMass();
+    Eigen::VectorXd momentum = Eigen::VectorXd::Zero(loops_.independentCount());
+    for (std::size_t j = 0; j < forces_.size(); ++j) {
+        for (const RateTerm& term : loops_.terms(static_cast<int>(j))) {
+            momentum[term.index] += term.factor * forces_[j];
+        }
+    }
+    Eigen::VectorXd rates = momentum;
+    lu_.factor(problem_.mass);
+    lu_.solve(problem_.mass, rates);
+    return 0.5 * rates.dot(momentum);
 }
 
 // Those of the step's motion: at the pose that the rates were solved at.
@@ -655,11 +827,12 @@ const std::vector<JointReaction>& ReducedEngine::jointReactions() const {
     }
     std::vector<double> accelerations(ratesAfter_.size());
     for (std::size_t j = 0; j < accelerations.size(); ++j) {
-        accelerations[j] = (ratesAfter_[j] - before_.rates[j]) / settings_.step;
+        accelerations[j] = (ratesAfter_[j] - before_.rates[j]) / dt_;
     }
     std::vector<double> forces(accelerations.size(), 0.0);
     scratch_.inverseDynamics(before_.rates, accelerations, settings_.gravity, wrenches, forces);
     scratchLoops_.react(scratch_, forces, wrenches, joints);
+    const std::vector<bool> determined = scratchLoops_.determinedJoints(scratch_);
     std::vector<Vec6> transmitted;
     scratch_.inverseDynamics(before_.rates, accelerations, settings_.gravity, wrenches, forces,
                              &transmitted);
@@ -678,7 +851,7 @@ const std::vector<JointReaction>& ReducedEngine::jointReactions() const {
             scratch_.poses()[static_cast<std::size_t>(joint.second)] * joint.point -
             scratch_.origin(tree_.positionOf(joint.second) >= 0 ? joint.second : joint.first);
         const Vec3 force = joints[i].tail<3>();
-        reactions_[i] = {force, joints[i].head<3>() - point.cross(force)};
+        reactions_[i] = {force, joints[i].head<3>() - point.cross(force), determined[i]};
     }
     return reactions_;
 }
@@ -735,8 +908,25 @@ void ReducedEngine::restoreState(std::span<const double> numbers) {
 
 }  // namespace
 
-Problems whyReducedCannotRun(const mechanism::Mechanism& mechanism, mechanism::Model /*joints*/) {
-    return whyNoEngineCanRun(mechanism);
+Problems whyReducedCannotRun(const mechanism::Mechanism& mechanism, mechanism::Model joints) {
+    Problems problems = whyNoEngineCanRun(mechanism);
+    if (!problems.empty()) {
+        return problems;
+    }
+    const SpanningTree tree(mechanism, joints);
+    TreeMotion motion(mechanism, tree);
+    LoopClosures loops(mechanism, tree, joints);
+    TreeState state = tree.drawnState();
+    loops.reset(state, motion);
+    if (loops.independentCount() == 0) {
+        std::string what = "nothing in it can move";
+        for (const std::string& loop : loops.rigidLoops()) {
+            what += "; " + loop + " holds its bodies";
+        }
+        problems.push_back({Severity::Critical, "rover " + mechanism.name, what + ".",
+                            "Give a joint of the loop another freedom, or free a body."});
+    }
+    return problems;
 }
 
 std::unique_ptr<Engine> makeReducedEngine(const mechanism::Mechanism& mechanism,

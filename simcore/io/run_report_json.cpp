@@ -48,7 +48,8 @@ void take(const nlohmann::json& json, const char* key, T& value) {
 run::StopReason reasonFrom(const std::string& name) {
     using run::StopReason;
     for (const StopReason reason : {StopReason::Running, StopReason::Completed, StopReason::TimeUp,
-                                    StopReason::Stuck, StopReason::NonFinite}) {
+                                    StopReason::Stuck, StopReason::NonFinite,
+                                    StopReason::SingularPose}) {
         if (run::toString(reason) == name) {
             return reason;
         }
@@ -111,6 +112,19 @@ run::RunReport parseReport(const std::string& text) {
     report.penetrationMax *= 1e-3;
     take(json, "solves_per_step", report.solvesPerStep);
     take(json, "solver_messages", report.solverMessages);
+    take(json, "fallbacks", report.fallbacks);
+    take(json, "contact_residual_max_N", report.contactResidualMax);
+    take(json, "divided_steps", report.dividedSteps);
+    take(json, "joint_choices", report.jointChoices);
+    take(json, "pivot_ratio_min", report.pivotRatioMin);
+    if (const auto warnings = json.find("warnings");
+        warnings != json.end() && warnings->is_array()) {
+        for (const auto& warning : *warnings) {
+            if (warning.is_string() && report.warnings.size() < kMostParts) {
+                report.warnings.push_back(warning.get<std::string>());
+            }
+        }
+    }
     return report;
 }
 
@@ -141,6 +155,12 @@ Json toJson(const run::RunReport& report) {
     json["penetration_max_mm"] = number(1e3 * report.penetrationMax);
     json["solves_per_step"] = number(report.solvesPerStep);
     json["solver_messages"] = report.solverMessages;
+    json["fallbacks"] = report.fallbacks;
+    json["contact_residual_max_N"] = number(report.contactResidualMax);
+    json["divided_steps"] = report.dividedSteps;
+    json["joint_choices"] = report.jointChoices;
+    json["pivot_ratio_min"] = number(report.pivotRatioMin);
+    json["warnings"] = report.warnings;
     return json;
 }
 

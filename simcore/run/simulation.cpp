@@ -76,6 +76,7 @@ struct Simulation::Impl {
     sensors::SensorSuite sensors;
     std::vector<int> encoders;
     WheelObserver observer;
+    dynamics::LoopErrorMeter loopError;
     FrictionMeter friction;
 
     ManualCommand manualCommand;
@@ -113,6 +114,7 @@ Simulation::Impl::Impl(ResolvedRun settings, const dynamics::EngineMaker& makeEn
       sensors(run.mechanism, run.sensors, run.seed),
       encoders(run.mechanism.encoderJoints()),
       observer(run.mechanism, run.step),
+      loopError(run.mechanism, run.joints),
       friction(run.mechanism, *run.terrain) {
     for (const mechanism::Wheel& wheel : run.mechanism.wheels) {
         drives.emplace_back(wheel, axleInertia(run.mechanism, wheel));
@@ -239,6 +241,10 @@ void Simulation::Impl::step() {
         engine->restoreState(lastGood);
         reason = StopReason::NonFinite;
         detail = "body " + body;
+    } else if (std::string trouble = engine->trouble(); !trouble.empty()) {
+        engine->restoreState(lastGood);
+        reason = StopReason::SingularPose;
+        detail = std::move(trouble);
     } else {
         hash.add(lastGood);
         ++now.step;
@@ -307,7 +313,7 @@ void Simulation::Impl::measure() {
     if (now.time > run.settle) {
         friction.observe(contacts, engine->contactForces(), frictions);
         loopErrorMax =
-            std::max(loopErrorMax, dynamics::loopError(run.mechanism, engine->poses(), run.joints));
+            std::max(loopErrorMax, loopError.measure(engine->poses()));
         for (const contact::Contact& contact : contacts) {
             penetrationMax = std::max(penetrationMax, contact.depth);
         }
@@ -455,6 +461,12 @@ RunReport Simulation::report() const {
             static_cast<double>(counters.passes) / static_cast<double>(counters.steps);
     }
     report.solverMessages = counters.solverMessages;
+    report.fallbacks = counters.fallbacks;
+    report.contactResidualMax = counters.worstResidual;
+    report.dividedSteps = counters.dividedSteps;
+    report.jointChoices = counters.choices;
+    report.pivotRatioMin = counters.leastPivotRatio;
+    report.warnings = counters.warnings;
     return report;
 }
 

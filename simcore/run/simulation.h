@@ -79,7 +79,7 @@ Result<project::Project> asRequested(const project::Project& project, const RunR
 /// Resolves everything a run needs; all problems, none of them left for the engine to abort on.
 Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest& request);
 
-enum class StopReason { Running, Completed, TimeUp, Stuck, NonFinite, Stopped };
+enum class StopReason { Running, Completed, TimeUp, Stuck, NonFinite, SingularPose, Stopped };
 std::string toString(StopReason reason);
 
 struct WheelReport {
@@ -109,8 +109,15 @@ struct RunReport {
     double frictionWorstPercent = 0.0;  ///< farthest outside the friction cone
     double loopErrorMax = 0.0;          ///< [m]
     double penetrationMax = 0.0;        ///< [m]
-    double solvesPerStep = 0.0;         ///< passes until friction agrees with normal forces
-    long solverMessages = 0;            ///< solves of the engine that failed
+    // dynamics::EngineCounters says what these are.
+    double solvesPerStep = 0.0;
+    long solverMessages = 0;
+    long fallbacks = 0;
+    double contactResidualMax = 0.0;  ///< [N]
+    long dividedSteps = 0;
+    long jointChoices = 0;
+    double pivotRatioMin = 1.0;
+    std::vector<std::string> warnings;
 };
 
 /// One run, stepped by its owner. Not thread safe: one thread makes, steps and destroys it.

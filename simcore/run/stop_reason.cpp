@@ -14,6 +14,8 @@ std::string toString(StopReason reason) {
             return "stuck";
         case StopReason::NonFinite:
             return "non-finite";
+        case StopReason::SingularPose:
+            return "singular-pose";
         case StopReason::Stopped:
             return "stopped";
     }

@@ -11,7 +11,7 @@ namespace {
 
 /// Ground within this height of z = 0 counts as flat [m].
 constexpr double kFlat = 1e-9;
-/// Cells of the look-up grid are two triangles large, within these bounds [m], so that a slice
+/// Cells of the look-up grid are a triangle large, within these bounds [m], so that a slice
 /// tests few triangles whether they measure a millimetre or a metre.
 constexpr double kSmallestCell = 0.002;
 constexpr double kLargestCell = 0.05;
@@ -19,6 +19,8 @@ constexpr double kLargestCell = 0.05;
 constexpr double kMostCells = 4e6;
 constexpr double kMostEntries = 16e6;
 constexpr double kMostEntriesPerTriangle = 4.0;
+/// A triangle reaches into a cell when it does so by more than this share of it.
+constexpr double kIntoCell = 1e-6;
 /// Cells this near to a disc are searched, so that rounding loses none [m].
 constexpr double kSlack = 1e-6;
 
@@ -52,7 +54,7 @@ double cellSizeFor(const TriangleMesh& mesh, const Vec3& low, const Vec3& high) 
         sum += (highCorner(mesh, t) - lowCorner(mesh, t)).head<2>().maxCoeff();
     }
     const auto count = static_cast<double>(mesh.triangles.size());
-    double size = std::clamp(2.0 * sum / count, kSmallestCell, kLargestCell);
+    double size = std::clamp(sum / count, kSmallestCell, kLargestCell);
     const Vec3 extent = high - low;
     size = std::max(size, std::sqrt(extent.x() * extent.y() / kMostCells));
     // A mesh as thin as a line still has a row of cells.
@@ -183,6 +185,18 @@ int Terrain::row(double y) const {
     return static_cast<int>(std::clamp((y - gridY0_) / cellSize_, 0.0, gridNy_ - 1.0));
 }
 
+Terrain::CellRange Terrain::cellsOf(const std::array<int, 3>& triangle) const {
+    const Vec3 low = lowCorner(mesh_, triangle);
+    const Vec3 high = highCorner(mesh_, triangle);
+    const double into = kIntoCell * cellSize_;
+    CellRange cells{column(low.x() + into), column(high.x() - into), row(low.y() + into),
+                    row(high.y() - into)};
+    // One that is thinner than that.
+    cells.lastX = std::max(cells.firstX, cells.lastX);
+    cells.lastY = std::max(cells.firstY, cells.lastY);
+    return cells;
+}
+
 std::size_t Terrain::cellAt(int ix, int iy) const {
     return static_cast<std::size_t>(ix) * static_cast<std::size_t>(gridNy_) +
            static_cast<std::size_t>(iy);
@@ -198,14 +212,16 @@ void Terrain::index() {
     cellSize_ = cellSizeFor(mesh_, low, high);
     gridX0_ = low.x();
     gridY0_ = low.y();
-    gridNx_ = static_cast<int>((high.x() - low.x()) / cellSize_) + 1;
-    gridNy_ = static_cast<int>((high.y() - low.y()) / cellSize_) + 1;
+    const auto cellsAcross = [&](double extent) {
+        return std::max(1, static_cast<int>(std::ceil(extent / cellSize_ - kIntoCell)));
+    };
+    gridNx_ = cellsAcross(high.x() - low.x());
+    gridNy_ = cellsAcross(high.y() - low.y());
 
-    const auto cellsOf = [&](const std::array<int, 3>& t, auto&& visit) {
-        const Vec3 a = lowCorner(mesh_, t);
-        const Vec3 b = highCorner(mesh_, t);
-        for (int ix = column(a.x()); ix <= column(b.x()); ++ix) {
-            for (int iy = row(a.y()); iy <= row(b.y()); ++iy) {
+    const auto visitCellsOf = [&](const std::array<int, 3>& t, auto&& visit) {
+        const CellRange cells = cellsOf(t);
+        for (int ix = cells.firstX; ix <= cells.lastX; ++ix) {
+            for (int iy = cells.firstY; iy <= cells.lastY; ++iy) {
                 visit(cellAt(ix, iy));
             }
         }
@@ -214,7 +230,7 @@ void Terrain::index() {
                       -std::numeric_limits<double>::infinity()};
     cellStart_.assign(static_cast<std::size_t>(gridNx_) * static_cast<std::size_t>(gridNy_) + 1, 0);
     for (const auto& t : mesh_.triangles) {
-        cellsOf(t, [&](std::size_t cell) { ++cellStart_[cell + 1]; });
+        visitCellsOf(t, [&](std::size_t cell) { ++cellStart_[cell + 1]; });
         const Vec3 a = lowCorner(mesh_, t);
         const Vec3 b = highCorner(mesh_, t);
         if (std::max(-a.z(), b.z()) > kFlat) {
@@ -228,96 +244,115 @@ void Terrain::index() {
     cellTriangles_.resize(static_cast<std::size_t>(cellStart_.back()));
     std::vector<int> next(cellStart_.begin(), cellStart_.end() - 1);
     cellSteepest_.assign(cellStart_.size() - 1, 0.0F);
+    cellHighest_.assign(cellStart_.size() - 1, -std::numeric_limits<float>::infinity());
+    normals_.reserve(mesh_.triangles.size());
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
-        const auto slope = static_cast<float>(leanOf(normalOf(mesh_, mesh_.triangles[i])));
+        normals_.push_back(normalOf(mesh_, mesh_.triangles[i]));
+        const CellRange cells = cellsOf(mesh_.triangles[i]);
+        spread_.push_back(cells.firstX < cells.lastX || cells.firstY < cells.lastY ? 1 : 0);
+        const auto slope = static_cast<float>(leanOf(normals_[i]));
+        const float top = std::nextafter(static_cast<float>(highCorner(mesh_, mesh_.triangles[i]).z()),
+                                         std::numeric_limits<float>::infinity());
         steepest_ = std::max(steepest_, slope);
-        cellsOf(mesh_.triangles[i], [&](std::size_t cell) {
+        visitCellsOf(mesh_.triangles[i], [&](std::size_t cell) {
             cellTriangles_[static_cast<std::size_t>(next[cell]++)] = static_cast<int>(i);
             cellSteepest_[cell] = std::max(cellSteepest_[cell], slope);
+            cellHighest_[cell] = std::max(cellHighest_[cell], top);
         });
     }
 }
 
 double Terrain::heightAt(double x, double y) const {
-    const double cellX = std::floor((x - gridX0_) / cellSize_);
-    const double cellY = std::floor((y - gridY0_) / cellSize_);
     double height = std::numeric_limits<double>::quiet_NaN();
-    if (!(cellX >= 0.0 && cellY >= 0.0 && cellX < gridNx_ && cellY < gridNy_)) {
+    const double cellX = (x - gridX0_) / cellSize_;
+    const double cellY = (y - gridY0_) / cellSize_;
+    // Up to the very border, which rounding may put beyond the last cell.
+    if (!(cellX >= -kIntoCell && cellY >= -kIntoCell && cellX <= gridNx_ + kIntoCell &&
+          cellY <= gridNy_ + kIntoCell)) {
         return height;  // a place too far away for an int among them
     }
-    const std::size_t cell = cellAt(static_cast<int>(cellX), static_cast<int>(cellY));
-    for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
-        const auto& t =
-            mesh_.triangles[static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)])];
-        const Vec3& a = corner(mesh_, t, 0);
-        const Vec3& b = corner(mesh_, t, 1);
-        const Vec3& c = corner(mesh_, t, 2);
-        const double det = (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
-        if (std::abs(det) < 1e-14) {
-            continue;  // vertical face
+    // On a border, triangles of both sides count.
+    const double into = 2.0 * kIntoCell * cellSize_;
+    for (int ix = column(x - into); ix <= column(x + into); ++ix) {
+        for (int iy = row(y - into); iy <= row(y + into); ++iy) {
+            const std::size_t cell = cellAt(ix, iy);
+            for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
+                const double z = heightOn(
+                    static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]), x, y);
+                if (!std::isnan(z)) {
+                    height = std::isnan(height) ? z : std::max(height, z);
+                }
+            }
         }
-        const double u = ((x - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (y - a.y())) / det;
-        const double v = ((b.x() - a.x()) * (y - a.y()) - (x - a.x()) * (b.y() - a.y())) / det;
-        constexpr double kEdge = 1e-9;
-        if (u < -kEdge || v < -kEdge || u + v > 1.0 + kEdge) {
-            continue;
-        }
-        const double z = a.z() + u * (b.z() - a.z()) + v * (c.z() - a.z());
-        height = std::isnan(height) ? z : std::max(height, z);
     }
     return height;
 }
 
+double Terrain::heightOn(std::size_t triangle, double x, double y) const {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const Vec3& a = cornerOf(triangle, 0);
+    const Vec3& b = cornerOf(triangle, 1);
+    const Vec3& c = cornerOf(triangle, 2);
+    const double det = (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
+    if (std::abs(det) < 1e-14) {
+        return kNone;  // vertical face
+    }
+    const double u = ((x - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (y - a.y())) / det;
+    const double v = ((b.x() - a.x()) * (y - a.y()) - (x - a.x()) * (b.y() - a.y())) / det;
+    constexpr double kEdge = 1e-9;
+    if (u < -kEdge || v < -kEdge || u + v > 1.0 + kEdge) {
+        return kNone;
+    }
+    return a.z() + u * (b.z() - a.z()) + v * (c.z() - a.z());
+}
+
 template <class Visit>
-void Terrain::visitCells(const SlicePlane& plane, const Vec3& w, double radius,
+void Terrain::visitCells(const Vec3& center, const Vec3& axis, double halfLength, double radius,
                          Visit&& visit) const {
-    const Vec3 reach = radius * (Vec3::Ones() - w.cwiseProduct(w)).cwiseMax(0.0).cwiseSqrt() +
-                       Vec3::Constant(kSlack);
-    const Vec3& o = plane.origin;
-    // Strips of cells across the plane's larger horizontal part; in each only those cells that the
-    // disc passes over.
-    const bool strips = std::max(std::abs(w.x()), std::abs(w.y())) > 0.1;
-    const bool alongX = std::abs(w.y()) >= std::abs(w.x());
+    const Vec3 reach = radius * (Vec3::Ones() - axis.cwiseProduct(axis)).cwiseMax(0.0).cwiseSqrt() +
+                       halfLength * axis.cwiseAbs() + Vec3::Constant(kSlack);
+    // Strips of cells across the larger horizontal extent; in each only those cells that the
+    // cylinder passes over.
+    const bool strips = std::max(std::abs(axis.x()), std::abs(axis.y())) > 0.1;
+    const bool alongX = std::abs(axis.y()) >= std::abs(axis.x());
     const int main = alongX ? 0 : 1;
     const int other = 1 - main;
     const double mainOrigin = alongX ? gridX0_ : gridY0_;
     const auto mainCell = [&](double value) { return alongX ? column(value) : row(value); };
     const auto otherCell = [&](double value) { return alongX ? row(value) : column(value); };
-    const int last = mainCell(o[main] + reach[main]);
-    for (int i = mainCell(o[main] - reach[main]); i <= last; ++i) {
+    const int last = mainCell(center[main] + reach[main]);
+    for (int i = mainCell(center[main] - reach[main]); i <= last; ++i) {
         double low = -reach[other];
         double high = reach[other];
         if (strips) {
-            const double a = std::max(mainOrigin + i * cellSize_ - kSlack - o[main], -reach[main]);
+            const double a =
+                std::max(mainOrigin + i * cellSize_ - kSlack - center[main], -reach[main]);
             const double b =
-                std::min(mainOrigin + (i + 1) * cellSize_ + kSlack - o[main], reach[main]);
+                std::min(mainOrigin + (i + 1) * cellSize_ + kSlack - center[main], reach[main]);
             if (a > b) {
                 continue;
             }
-            const double slope = -w[main] / w[other];
-            const double lean = std::abs(w.z() / w[other]) * reach.z() + kSlack;
+            const double slope = -axis[main] / axis[other];
+            const double lean =
+                (std::abs(axis.z()) * reach.z() + halfLength) / std::abs(axis[other]) + kSlack;
             low = std::max(low, std::min(slope * a, slope * b) - lean);
             high = std::min(high, std::max(slope * a, slope * b) + lean);
         }
-        const int end = otherCell(o[other] + high);
-        for (int k = otherCell(o[other] + low); k <= end; ++k) {
+        const int end = otherCell(center[other] + high);
+        for (int k = otherCell(center[other] + low); k <= end; ++k) {
             alongX ? visit(i, k) : visit(k, i);
         }
     }
 }
 
-bool Terrain::cut(const std::array<int, 3>& t, const SlicePlane& plane, const Vec3& w,
+bool Terrain::cut(std::size_t triangle, const std::array<double, 3>& distance,
                   std::array<Vec3, 2>& ends) const {
-    std::array<double, 3> distance{};
-    std::array<bool, 3> above{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        distance[k] = w.dot(corner(mesh_, t, k) - plane.origin);
-        // On the plane counts as above it: a triangle is cut or not, never twice on an edge.
-        above[k] = distance[k] >= 0.0;
-    }
+    // On the plane counts as above it: a triangle is cut or not, never twice on an edge.
+    const std::array<bool, 3> above{distance[0] >= 0.0, distance[1] >= 0.0, distance[2] >= 0.0};
     if (above[0] == above[1] && above[1] == above[2]) {
         return false;
     }
+    const std::array<int, 3>& t = mesh_.triangles[triangle];
     std::size_t found = 0;
     for (std::size_t k = 0; k < 3 && found < 2; ++k) {
         const std::size_t m = (k + 1) % 3;
@@ -327,49 +362,87 @@ bool Terrain::cut(const std::array<int, 3>& t, const SlicePlane& plane, const Ve
             const std::size_t p = t[k] < t[m] ? k : m;
             const std::size_t q = t[k] < t[m] ? m : k;
             const double s = distance[p] / (distance[p] - distance[q]);
-            ends[found++] = corner(mesh_, t, p) + s * (corner(mesh_, t, q) - corner(mesh_, t, p));
+            ends[found++] =
+                cornerOf(triangle, p) + s * (cornerOf(triangle, q) - cornerOf(triangle, p));
         }
     }
     return true;
 }
 
-void Terrain::slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const {
-    out.clear();
-    const Vec3 w = plane.u.cross(plane.v);  // plane normal
+void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, double radius,
+                    std::span<std::vector<SliceSegment>> out) const {
+    for (std::vector<SliceSegment>& segments : out) {
+        segments.clear();
+    }
+    if (offsets.empty()) {
+        return;
+    }
+    const Vec3 w = plane.v.cross(plane.u);
+    const double halfLength = 0.5 * (offsets.back() - offsets.front());
+    const Vec3 center = plane.origin + 0.5 * (offsets.back() + offsets.front()) * w;
+    const double cellReach =
+        0.5 * cellSize_ * (std::abs(plane.u.x()) + std::abs(plane.u.y())) + kSlack;
+    // Where u is level, no point of the discs is below their rims at its place along u.
+    constexpr double kLevel = 1e-9;
+    const bool level = std::abs(plane.u.z()) < kLevel;
+    const double middle = center.z() - halfLength * std::abs(w.z()) - kSlack;
+    const auto staysBelow = [&](int ix, int iy) {
+        const double x = gridX0_ + (ix + 0.5) * cellSize_ - center.x();
+        const double y = gridY0_ + (iy + 0.5) * cellSize_ - center.y();
+        const double s =
+            std::max(0.0, std::abs(plane.u.x() * x + plane.u.y() * y) - cellReach);
+        const double square = radius * radius - s * s;
+        return square < 0.0 || static_cast<double>(cellHighest_[cellAt(ix, iy)]) <
+                                   middle - std::abs(plane.v.z()) * std::sqrt(square);
+    };
     std::array<Vec3, 2> ends;
     const auto inPlane = [&](const Vec3& p) {
         return Eigen::Vector2d(plane.u.dot(p - plane.origin), plane.v.dot(p - plane.origin));
     };
-    visitCells(plane, w, radius, [&](int ix, int iy) {
+    const auto add = [&](std::size_t triangle, int ix, int iy, std::vector<SliceSegment>& to) {
+        SliceSegment segment{inPlane(ends[0]), inPlane(ends[1]), Vec3::Zero()};
+        const double s = nearestShare(segment.a, segment.b);
+        if ((segment.a + s * (segment.b - segment.a)).squaredNorm() > radius * radius) {
+            return;
+        }
+        // A triangle that lies in several cells is taken in that of its nearest point, which is one
+        // of those searched.
+        if (spread_[triangle] != 0) {
+            const CellRange cells = cellsOf(mesh_.triangles[triangle]);
+            const Vec3 nearest = ends[0] + s * (ends[1] - ends[0]);
+            if (std::clamp(column(nearest.x()), cells.firstX, cells.lastX) != ix ||
+                std::clamp(row(nearest.y()), cells.firstY, cells.lastY) != iy) {
+                return;
+            }
+        }
+        segment.normal = normals_[triangle];
+        // The free side is to the left.
+        const Eigen::Vector2d along = segment.b - segment.a;
+        const double left =
+            -along.y() * segment.normal.dot(plane.u) + along.x() * segment.normal.dot(plane.v);
+        if (left < 0.0) {
+            std::swap(segment.a, segment.b);
+        }
+        to.push_back(segment);
+    };
+    visitCells(center, w, halfLength, radius, [&](int ix, int iy) {
+        if (level && staysBelow(ix, iy)) {
+            return;
+        }
         const std::size_t cell = cellAt(ix, iy);
         for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
-            const auto& t = mesh_.triangles[static_cast<std::size_t>(
-                cellTriangles_[static_cast<std::size_t>(i)])];
-            if (!cut(t, plane, w, ends)) {
-                continue;
+            const auto triangle =
+                static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]);
+            const std::array<double, 3> across{w.dot(cornerOf(triangle, 0) - plane.origin),
+                                               w.dot(cornerOf(triangle, 1) - plane.origin),
+                                               w.dot(cornerOf(triangle, 2) - plane.origin)};
+            for (std::size_t k = 0; k < offsets.size(); ++k) {
+                if (cut(triangle,
+                        {across[0] - offsets[k], across[1] - offsets[k], across[2] - offsets[k]},
+                        ends)) {
+                    add(triangle, ix, iy, out[k]);
+                }
             }
-            SliceSegment segment{inPlane(ends[0]), inPlane(ends[1]), Vec3::Zero()};
-            const double s = nearestShare(segment.a, segment.b);
-            if ((segment.a + s * (segment.b - segment.a)).norm() > radius) {
-                continue;
-            }
-            // A triangle that lies in several cells is taken in that of its nearest point, which
-            // is one of those searched.
-            const Vec3 nearest = (ends[0] + s * (ends[1] - ends[0]))
-                                     .cwiseMax(lowCorner(mesh_, t))
-                                     .cwiseMin(highCorner(mesh_, t));
-            if (column(nearest.x()) != ix || row(nearest.y()) != iy) {
-                continue;
-            }
-            segment.normal = normalOf(mesh_, t);
-            // The free side is to the left.
-            const Eigen::Vector2d along = segment.b - segment.a;
-            const double left =
-                -along.y() * segment.normal.dot(plane.u) + along.x() * segment.normal.dot(plane.v);
-            if (left < 0.0) {
-                std::swap(segment.a, segment.b);
-            }
-            out.push_back(segment);
         }
     });
 }
@@ -396,17 +469,17 @@ void Terrain::facing(const Vec3& low, const Vec3& high, const Vec3& axis, double
                 continue;
             }
             for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
-                const auto& t = mesh_.triangles[static_cast<std::size_t>(
-                    cellTriangles_[static_cast<std::size_t>(i)])];
-                const Vec3 least = lowCorner(mesh_, t);
+                const auto triangle =
+                    static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]);
+                const auto& t = mesh_.triangles[triangle];
+                const CellRange cells = cellsOf(t);
                 // A triangle that lies in several cells is taken in the first of them.
-                if (ix != std::max(firstX, column(least.x())) ||
-                    iy != std::max(firstY, row(least.y())) ||
-                    (least.array() > high.array()).any() ||
+                if (ix != std::max(firstX, cells.firstX) || iy != std::max(firstY, cells.firstY) ||
+                    (lowCorner(mesh_, t).array() > high.array()).any() ||
                     (highCorner(mesh_, t).array() < low.array()).any()) {
                     continue;
                 }
-                const Vec3 normal = normalOf(mesh_, t);
+                const Vec3& normal = normals_[triangle];
                 if (std::abs(normal.dot(axis)) >= cosine) {
                     out.push_back(
                         {{corner(mesh_, t, 0), corner(mesh_, t, 1), corner(mesh_, t, 2)}, normal});

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "simcore/base/pose.h"
@@ -55,9 +57,19 @@ class Terrain {
     /// Height of the highest ground at (x, y) [m]; NaN outside the mesh.
     double heightAt(double x, double y) const;
 
-    /// Exact section of the ground with the plane: the pieces that come within `radius` of its
-    /// origin. Appends to `out` (cleared first), no allocation once `out` has grown.
-    void slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const;
+    /// Exact sections of the ground with planes beside each other: the pieces that come within
+    /// `radius` of each plane's origin. No allocation once `out` has grown.
+    /// @param plane    a plane
+    /// @param offsets  of the planes' origins from that plane's, along v x u, ascending [m]
+    /// @param out      as long as `offsets`, cleared first
+    void slice(const SlicePlane& plane, std::span<const double> offsets, double radius,
+               std::span<std::vector<SliceSegment>> out) const;
+
+    /// Section with one plane.
+    void slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const {
+        constexpr double kNoOffset = 0.0;
+        slice(plane, {&kNoOffset, 1}, radius, {&out, 1});
+    }
 
     /// Triangles that may reach into the box from `low` to `high` and whose normals are within
     /// `angle` [rad] of +axis or -axis (unit). Appends to `out` (cleared first).
@@ -72,25 +84,42 @@ class Terrain {
 
   private:
     void index();
+    /// Cells of the look-up grid, from first to last.
+    struct CellRange {
+        int firstX, lastX, firstY, lastY;
+    };
+
     int column(double x) const;  ///< of the look-up grid, the nearest one outside it
     int row(double y) const;
+    /// That a triangle is listed in: one when it fills a cell, as a triangle of a grid does.
+    CellRange cellsOf(const std::array<int, 3>& triangle) const;
     std::size_t cellAt(int ix, int iy) const;
-    /// Calls visit(ix, iy) for all cells that a disc in the plane with normal w passes over.
+    /// Calls visit(ix, iy) for all cells that a cylinder passes over.
     template <class Visit>
-    void visitCells(const SlicePlane& plane, const Vec3& w, double radius, Visit&& visit) const;
-    /// The two points where the plane cuts a triangle's edges; false when it does not cut it.
-    bool cut(const std::array<int, 3>& triangle, const SlicePlane& plane, const Vec3& w,
+    void visitCells(const Vec3& center, const Vec3& axis, double halfLength, double radius,
+                    Visit&& visit) const;
+    /// The piece of a triangle that lies in a plane. False when there is none.
+    /// @param distance  of the triangle's corners from the plane [m]
+    bool cut(std::size_t triangle, const std::array<double, 3>& distance,
              std::array<Vec3, 2>& ends) const;
+    /// Of a triangle's plane at (x, y) [m]; NaN where the triangle is not, or is vertical.
+    double heightOn(std::size_t triangle, double x, double y) const;
+    const Vec3& cornerOf(std::size_t triangle, std::size_t k) const {
+        return mesh_.vertices[static_cast<std::size_t>(mesh_.triangles[triangle][k])];
+    }
 
     TriangleMesh mesh_;
+    std::vector<Vec3> normals_;          ///< unit, of every triangle
+    std::vector<std::uint8_t> spread_;  ///< of every triangle: 1 when it lies in several cells
     std::vector<Eigen::Vector2d> profile_;
     std::pair<double, double> obstacleRange_{1.0, -1.0};
-    // Uniform grid over x-y: the triangles touching each cell, in CSR layout.
+    // Uniform grid over x-y: the triangles in each cell, in CSR layout.
     double cellSize_ = 0.05;
     double gridX0_ = 0.0, gridY0_ = 0.0;
     int gridNx_ = 0, gridNy_ = 0;
     std::vector<int> cellStart_;
     std::vector<int> cellTriangles_;
+    std::vector<float> cellHighest_;   ///< no triangle in the cell is higher [m]
     std::vector<float> cellSteepest_;  ///< steepest slope of the triangles in each cell [rad]
     float steepest_ = 0.0F;
 };

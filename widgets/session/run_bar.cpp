@@ -60,6 +60,7 @@ QString outcome(const RunReport& report) {
         case StopReason::Stuck:
             return RunBar::tr("Stuck: %1").arg(numbers);
         case StopReason::NonFinite:
+        case StopReason::SingularPose:
             return RunBar::tr("Stopped, the simulation failed: %1")
                 .arg(QString::fromStdString(report.stopDetail));
         case StopReason::Running:

@@ -130,7 +130,8 @@ TEST(ImpulseSolverTest, MotorsKeepTheirLimit) {
         motor.most = limit;
         motor.least = -limit;
         motor.starts = true;
-        point.problem.rows = {motor};
+        std::vector<ScalarRow> rows{motor};
+        point.problem.rows = rows;
         point.solve();
         const double reached = std::min(0.1, limit / kMass);
         EXPECT_NEAR(point.u[1], reached, 1e-6);
