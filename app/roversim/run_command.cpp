@@ -124,9 +124,9 @@ void printTable(const run::RunReport& report) {
         "mm\n",
         report.frictionViolationPercent, report.frictionWorstPercent, 1e3 * report.loopErrorMax,
         1e3 * report.penetrationMax);
-    fmt::print("  {:.2f} solves a step, {} fallbacks, {} solver messages, contact residual {:.1g} N\n",
-               report.solvesPerStep, report.fallbacks, report.solverMessages,
-               report.contactResidualMax);
+    fmt::print(
+        "  {:.2f} solves a step, {} fallbacks, {} solver messages, contact residual {:.1g} N\n",
+        report.solvesPerStep, report.fallbacks, report.solverMessages, report.contactResidualMax);
     fmt::print("  least pivot ratio {:.2g}, {} divided steps; state hash {}\n",
                report.pivotRatioMin, report.dividedSteps, report.stateHash);
     for (const std::string& warning : report.warnings) {

@@ -59,7 +59,6 @@ const std::vector<SliceContact>& SliceContactFinder::find(std::vector<SliceSegme
     plane_ = &plane;
     radius_ = radius;
     margin_ = margin;
-    endsSorted_ = false;
     contacts_.clear();
     behind_.reset();
     for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -103,41 +102,27 @@ void SliceContactFinder::addFace(const SliceSegment& segment, double share) {
     }
 }
 
-void SliceContactFinder::sortEnds() {
-    ends_.clear();
-    for (std::size_t i = 0; i < segments_->size(); ++i) {
-        ends_.push_back({(*segments_)[i].a, i, true});
-        ends_.push_back({(*segments_)[i].b, i, false});
-    }
-    std::sort(ends_.begin(), ends_.end(),
-              [](const End& a, const End& b) { return a.point.x() < b.point.x(); });
-    endsSorted_ = true;
-}
-
 void SliceContactFinder::addCorner(std::size_t index, bool atStart) {
-    if (!endsSorted_) {
-        sortEnds();
-    }
     const SliceSegment& own = (*segments_)[index];
     const Eigen::Vector2d& point = atStart ? own.a : own.b;
     const SliceSegment* neighbour = nullptr;
     bool runsOn = false;  // the neighbour begins where this one ends, as faces of one surface do
-    auto end =
-        std::lower_bound(ends_.begin(), ends_.end(), point.x() - kSamePoint,
-                         [](const End& candidate, double x) { return candidate.point.x() < x; });
-    for (; end != ends_.end() && end->point.x() <= point.x() + kSamePoint; ++end) {
-        if (end->segment == index || (end->point - point).norm() > kSamePoint) {
-            continue;
-        }
-        const SliceSegment& other = (*segments_)[end->segment];
-        const Eigen::Vector2d away =
-            (end->atStart ? other.b - other.a : other.a - other.b).normalized();
-        if (away.dot(-end->point) > kStraight * end->point.norm()) {
-            return;  // it comes nearer: no corner contact
-        }
-        if (neighbour == nullptr || (!runsOn && end->atStart != atStart)) {
-            neighbour = &other;
-            runsOn = end->atStart != atStart;
+    for (const SliceSegment& other : *segments_) {
+        for (const bool otherAtStart : {true, false}) {
+            const Eigen::Vector2d& end = otherAtStart ? other.a : other.b;
+            if (&other == &own || std::abs(end.x() - point.x()) > kSamePoint ||
+                (end - point).norm() > kSamePoint) {
+                continue;
+            }
+            const Eigen::Vector2d away =
+                (otherAtStart ? other.b - other.a : other.a - other.b).normalized();
+            if (away.dot(-end) > kStraight * end.norm()) {
+                return;  // it comes nearer: no corner contact
+            }
+            if (neighbour == nullptr || (!runsOn && otherAtStart != atStart)) {
+                neighbour = &other;
+                runsOn = otherAtStart != atStart;
+            }
         }
     }
     const double distance = point.norm();

@@ -32,16 +32,8 @@ class SliceContactFinder {
     const std::optional<SliceContact>& behind() const { return behind_; }
 
   private:
-    /// An end of a segment, for finding the segments that share a point.
-    struct End {
-        Eigen::Vector2d point;
-        std::size_t segment;
-        bool atStart;
-    };
-
     void addFace(const terrain::SliceSegment& segment, double share);
     void addCorner(std::size_t index, bool atStart);
-    void sortEnds();
     void add(const SliceContact& contact);
     void thinOut();
 
@@ -49,8 +41,6 @@ class SliceContactFinder {
     const terrain::SlicePlane* plane_ = nullptr;
     double radius_ = 0.0;
     double margin_ = 0.0;
-    std::vector<End> ends_;
-    bool endsSorted_ = false;
     std::vector<SliceContact> contacts_;
     std::vector<SliceContact> kept_;
     std::optional<SliceContact> behind_;

@@ -151,8 +151,8 @@ void WheelContactFinder::findSides(std::size_t index, const SlicePlane& middle, 
                                        });
         if (!known) {
             const Vec3 along = forward - forward.dot(contact.normal) * contact.normal;
-            contacts_.push_back(
-                {static_cast<int>(index), kSide, contact.point, contact.normal, along.normalized(), contact.depth});
+            contacts_.push_back({static_cast<int>(index), kSide, contact.point, contact.normal,
+                                 along.normalized(), contact.depth});
         }
     }
 }

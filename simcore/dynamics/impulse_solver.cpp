@@ -222,8 +222,8 @@ bool ImpulseSolver::newtonInStages(ImpulseProblem& problem, const PatternedLu& l
 
 // A stop pushes or not, a motor is at a limit or not: changed only between solves of the contacts,
 // since changing both at once cycles.
-bool ImpulseSolver::withinLimits(ImpulseProblem& problem, const PatternedLu& lu,
-                                 Eigen::VectorXd& u, ImpulseCounters& counters) {
+bool ImpulseSolver::withinLimits(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
+                                 ImpulseCounters& counters) {
     bool within = true;
     for (int change = 0; change < kMaxLimitChanges; ++change) {
         if (!newton(problem, lu, u, counters) && !newtonInStages(problem, lu, u, counters)) {

@@ -35,8 +35,7 @@ double wheelRate(const mechanism::Wheel& wheel, const std::vector<Pose>& poses,
 LoopErrorMeter::LoopErrorMeter(const mechanism::Mechanism& mechanism, mechanism::Model model)
     : mechanism_(mechanism) {
     for (const mechanism::Joint& joint : mechanism.joints) {
-        slides_.push_back(
-            directionsOf(freedomsOf(joint, model), mechanism::FreedomKind::Slide));
+        slides_.push_back(directionsOf(freedomsOf(joint, model), mechanism::FreedomKind::Slide));
     }
 }
 
@@ -47,9 +46,10 @@ double LoopErrorMeter::measure(const std::vector<Pose>& poses) const {
         const Pose& first = poses[static_cast<std::size_t>(joint.first)];
         const Pose& second = poses[static_cast<std::size_t>(joint.second)];
         const Vec3 gap = second * joint.point - first * joint.point;
-        largest = std::max(largest, slides_[i].empty()
-                                        ? gap.norm()
-                                        : lengthAcross(first.rotation.conjugate() * gap, slides_[i]));
+        largest =
+            std::max(largest, slides_[i].empty()
+                                  ? gap.norm()
+                                  : lengthAcross(first.rotation.conjugate() * gap, slides_[i]));
     }
     return largest;
 }

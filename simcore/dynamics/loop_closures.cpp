@@ -382,9 +382,8 @@ bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
             evaluate(cluster, motion);
             double ratio = eliminate(cluster);
             const auto usedRowsClose = [&cluster] {
-                return std::all_of(cluster.used.begin(), cluster.used.end(), [&](int row) {
-                    return std::abs(cluster.gaps[row]) < kClosed;
-                });
+                return std::all_of(cluster.used.begin(), cluster.used.end(),
+                                   [&](int row) { return std::abs(cluster.gaps[row]) < kClosed; });
             };
             const std::size_t rank = cluster.used.size();
             if ((ratio < kPoorChoice && choose(cluster, rank)) ||
@@ -440,8 +439,7 @@ double LoopClosures::turnOf(std::span<const double> rates) const {
             for (const RateTerm& term : terms(rate)) {
                 now += term.factor * rates[static_cast<std::size_t>(rateOf(term.index))];
             }
-            turn = std::max(turn,
-                            std::abs(now - rates[static_cast<std::size_t>(rate)]) / largest);
+            turn = std::max(turn, std::abs(now - rates[static_cast<std::size_t>(rate)]) / largest);
         }
     }
     return turn;

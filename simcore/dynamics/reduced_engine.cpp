@@ -138,21 +138,21 @@ class ReducedEngine final : public Engine {
     std::vector<Elastic> elastics_;
     std::vector<Turner> turners_;  ///< of every joint
     std::vector<Float> floats_;
-    TreeState state_;  ///< its rates: those of the last step's way, corrections included
-    double dt_ = 0.0;  ///< of the step, or of the part of it that is being made
+    TreeState state_;            ///< its rates: those of the last step's way, corrections included
+    double dt_ = 0.0;            ///< of the step, or of the part of it that is being made
     std::vector<Vec6> momenta_;  ///< of what floats, about momentaPoints_
     std::vector<Vec3> momentaPoints_;
     ContactMemory memory_;
 
-    int choice_ = -1;       ///< that the pattern was made for
+    int choice_ = -1;      ///< that the pattern was made for
     int firstChoice_ = 0;  ///< the drawn pose's
     PatternedLu lu_;
     ImpulseProblem problem_;
     ImpulseSolver solver_;
     ImpulseCounters impulses_;
     std::vector<std::size_t> rowTouches_;  ///< the input's contact of each contact row
-    std::vector<ScalarRow> rows_;  ///< room for the problem's
-    std::vector<int> rowJoints_;   ///< joint of each
+    std::vector<ScalarRow> rows_;          ///< room for the problem's
+    std::vector<int> rowJoints_;           ///< joint of each
     std::vector<Vec6> rowWrenches_;
     std::vector<double> depths_;  ///< of the input's contacts, now
     std::vector<Vec6> wrenches_;  ///< on the tree's bodies from outside, gravity not included
@@ -558,9 +558,9 @@ void ReducedEngine::makeContacts(const StepInput& input) {
         row.wrenches.col(2) = forceAt(side, arm);
         row.friction = input.frictions[i];
         const double depth = depths_[i];
-        row.bound = depth > 0.0 ? depth * kContactStiffness /
-                                      (kContactStiffness * dt + kContactDamping)
-                                : depth / dt;
+        row.bound = depth > 0.0
+                        ? depth * kContactStiffness / (kContactStiffness * dt + kContactDamping)
+                        : depth / dt;
         row.impulse.setZero();
         if (const ContactMemory::Remembered* old = memory_.recall(touch)) {
             row.impulse = dt * Vec3(old->force.dot(touch.normal), old->force.dot(touch.forward),

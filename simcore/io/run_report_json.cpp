@@ -47,9 +47,9 @@ void take(const nlohmann::json& json, const char* key, T& value) {
 
 run::StopReason reasonFrom(const std::string& name) {
     using run::StopReason;
-    for (const StopReason reason : {StopReason::Running, StopReason::Completed, StopReason::TimeUp,
-                                    StopReason::Stuck, StopReason::NonFinite,
-                                    StopReason::SingularPose}) {
+    for (const StopReason reason :
+         {StopReason::Running, StopReason::Completed, StopReason::TimeUp, StopReason::Stuck,
+          StopReason::NonFinite, StopReason::SingularPose}) {
         if (run::toString(reason) == name) {
             return reason;
         }

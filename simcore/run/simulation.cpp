@@ -312,8 +312,7 @@ void Simulation::Impl::measure() {
     }
     if (now.time > run.settle) {
         friction.observe(contacts, engine->contactForces(), frictions);
-        loopErrorMax =
-            std::max(loopErrorMax, loopError.measure(engine->poses()));
+        loopErrorMax = std::max(loopErrorMax, loopError.measure(engine->poses()));
         for (const contact::Contact& contact : contacts) {
             penetrationMax = std::max(penetrationMax, contact.depth);
         }

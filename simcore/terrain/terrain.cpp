@@ -178,19 +178,20 @@ Terrain Terrain::fromMesh(TriangleMesh mesh) {
 }
 
 int Terrain::column(double x) const {
-    return static_cast<int>(std::clamp((x - gridX0_) / cellSize_, 0.0, gridNx_ - 1.0));
+    return static_cast<int>(std::clamp((x - gridX0_) / cellX_, 0.0, gridNx_ - 1.0));
 }
 
 int Terrain::row(double y) const {
-    return static_cast<int>(std::clamp((y - gridY0_) / cellSize_, 0.0, gridNy_ - 1.0));
+    return static_cast<int>(std::clamp((y - gridY0_) / cellY_, 0.0, gridNy_ - 1.0));
 }
 
 Terrain::CellRange Terrain::cellsOf(const std::array<int, 3>& triangle) const {
     const Vec3 low = lowCorner(mesh_, triangle);
     const Vec3 high = highCorner(mesh_, triangle);
-    const double into = kIntoCell * cellSize_;
-    CellRange cells{column(low.x() + into), column(high.x() - into), row(low.y() + into),
-                    row(high.y() - into)};
+    const double intoX = kIntoCell * cellX_;
+    const double intoY = kIntoCell * cellY_;
+    CellRange cells{column(low.x() + intoX), column(high.x() - intoX), row(low.y() + intoY),
+                    row(high.y() - intoY)};
     // One that is thinner than that.
     cells.lastX = std::max(cells.firstX, cells.lastX);
     cells.lastY = std::max(cells.firstY, cells.lastY);
@@ -209,14 +210,20 @@ void Terrain::index() {
         low = low.cwiseMin(v);
         high = high.cwiseMax(v);
     }
-    cellSize_ = cellSizeFor(mesh_, low, high);
+    cellX_ = cellY_ = cellSizeFor(mesh_, low, high);
+    if (!profile_.empty()) {
+        // The same at every y: one row of cells, as narrow as the profile's pieces.
+        const double piece = (high.x() - low.x()) / static_cast<double>(profile_.size() - 1);
+        cellX_ = std::clamp(piece, kSmallestCell, kLargestCell);
+        cellY_ = high.y() - low.y();
+    }
     gridX0_ = low.x();
     gridY0_ = low.y();
-    const auto cellsAcross = [&](double extent) {
-        return std::max(1, static_cast<int>(std::ceil(extent / cellSize_ - kIntoCell)));
+    const auto cellsAcross = [](double extent, double size) {
+        return std::max(1, static_cast<int>(std::ceil(extent / size - kIntoCell)));
     };
-    gridNx_ = cellsAcross(high.x() - low.x());
-    gridNy_ = cellsAcross(high.y() - low.y());
+    gridNx_ = cellsAcross(high.x() - low.x(), cellX_);
+    gridNy_ = cellsAcross(high.y() - low.y(), cellY_);
 
     const auto visitCellsOf = [&](const std::array<int, 3>& t, auto&& visit) {
         const CellRange cells = cellsOf(t);
@@ -251,8 +258,9 @@ void Terrain::index() {
         const CellRange cells = cellsOf(mesh_.triangles[i]);
         spread_.push_back(cells.firstX < cells.lastX || cells.firstY < cells.lastY ? 1 : 0);
         const auto slope = static_cast<float>(leanOf(normals_[i]));
-        const float top = std::nextafter(static_cast<float>(highCorner(mesh_, mesh_.triangles[i]).z()),
-                                         std::numeric_limits<float>::infinity());
+        const float top =
+            std::nextafter(static_cast<float>(highCorner(mesh_, mesh_.triangles[i]).z()),
+                           std::numeric_limits<float>::infinity());
         steepest_ = std::max(steepest_, slope);
         visitCellsOf(mesh_.triangles[i], [&](std::size_t cell) {
             cellTriangles_[static_cast<std::size_t>(next[cell]++)] = static_cast<int>(i);
@@ -264,17 +272,18 @@ void Terrain::index() {
 
 double Terrain::heightAt(double x, double y) const {
     double height = std::numeric_limits<double>::quiet_NaN();
-    const double cellX = (x - gridX0_) / cellSize_;
-    const double cellY = (y - gridY0_) / cellSize_;
+    const double cellX = (x - gridX0_) / cellX_;
+    const double cellY = (y - gridY0_) / cellY_;
     // Up to the very border, which rounding may put beyond the last cell.
     if (!(cellX >= -kIntoCell && cellY >= -kIntoCell && cellX <= gridNx_ + kIntoCell &&
           cellY <= gridNy_ + kIntoCell)) {
         return height;  // a place too far away for an int among them
     }
     // On a border, triangles of both sides count.
-    const double into = 2.0 * kIntoCell * cellSize_;
-    for (int ix = column(x - into); ix <= column(x + into); ++ix) {
-        for (int iy = row(y - into); iy <= row(y + into); ++iy) {
+    const double intoX = 2.0 * kIntoCell * cellX_;
+    const double intoY = 2.0 * kIntoCell * cellY_;
+    for (int ix = column(x - intoX); ix <= column(x + intoX); ++ix) {
+        for (int iy = row(y - intoY); iy <= row(y + intoY); ++iy) {
             const std::size_t cell = cellAt(ix, iy);
             for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
                 const double z = heightOn(
@@ -318,6 +327,7 @@ void Terrain::visitCells(const Vec3& center, const Vec3& axis, double halfLength
     const int main = alongX ? 0 : 1;
     const int other = 1 - main;
     const double mainOrigin = alongX ? gridX0_ : gridY0_;
+    const double mainSize = alongX ? cellX_ : cellY_;
     const auto mainCell = [&](double value) { return alongX ? column(value) : row(value); };
     const auto otherCell = [&](double value) { return alongX ? row(value) : column(value); };
     const int last = mainCell(center[main] + reach[main]);
@@ -326,9 +336,9 @@ void Terrain::visitCells(const Vec3& center, const Vec3& axis, double halfLength
         double high = reach[other];
         if (strips) {
             const double a =
-                std::max(mainOrigin + i * cellSize_ - kSlack - center[main], -reach[main]);
+                std::max(mainOrigin + i * mainSize - kSlack - center[main], -reach[main]);
             const double b =
-                std::min(mainOrigin + (i + 1) * cellSize_ + kSlack - center[main], reach[main]);
+                std::min(mainOrigin + (i + 1) * mainSize + kSlack - center[main], reach[main]);
             if (a > b) {
                 continue;
             }
@@ -381,16 +391,15 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
     const double halfLength = 0.5 * (offsets.back() - offsets.front());
     const Vec3 center = plane.origin + 0.5 * (offsets.back() + offsets.front()) * w;
     const double cellReach =
-        0.5 * cellSize_ * (std::abs(plane.u.x()) + std::abs(plane.u.y())) + kSlack;
+        0.5 * (cellX_ * std::abs(plane.u.x()) + cellY_ * std::abs(plane.u.y())) + kSlack;
     // Where u is level, no point of the discs is below their rims at its place along u.
     constexpr double kLevel = 1e-9;
     const bool level = std::abs(plane.u.z()) < kLevel;
     const double middle = center.z() - halfLength * std::abs(w.z()) - kSlack;
     const auto staysBelow = [&](int ix, int iy) {
-        const double x = gridX0_ + (ix + 0.5) * cellSize_ - center.x();
-        const double y = gridY0_ + (iy + 0.5) * cellSize_ - center.y();
-        const double s =
-            std::max(0.0, std::abs(plane.u.x() * x + plane.u.y() * y) - cellReach);
+        const double x = gridX0_ + (ix + 0.5) * cellX_ - center.x();
+        const double y = gridY0_ + (iy + 0.5) * cellY_ - center.y();
+        const double s = std::max(0.0, std::abs(plane.u.x() * x + plane.u.y() * y) - cellReach);
         const double square = radius * radius - s * s;
         return square < 0.0 || static_cast<double>(cellHighest_[cellAt(ix, iy)]) <
                                    middle - std::abs(plane.v.z()) * std::sqrt(square);
@@ -436,8 +445,11 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
             const std::array<double, 3> across{w.dot(cornerOf(triangle, 0) - plane.origin),
                                                w.dot(cornerOf(triangle, 1) - plane.origin),
                                                w.dot(cornerOf(triangle, 2) - plane.origin)};
+            const double low = std::min({across[0], across[1], across[2]});
+            const double high = std::max({across[0], across[1], across[2]});
             for (std::size_t k = 0; k < offsets.size(); ++k) {
-                if (cut(triangle,
+                if (low < offsets[k] && high >= offsets[k] &&
+                    cut(triangle,
                         {across[0] - offsets[k], across[1] - offsets[k], across[2] - offsets[k]},
                         ends)) {
                     add(triangle, ix, iy, out[k]);

@@ -84,6 +84,7 @@ class Terrain {
 
   private:
     void index();
+
     /// Cells of the look-up grid, from first to last.
     struct CellRange {
         int firstX, lastX, firstY, lastY;
@@ -104,17 +105,18 @@ class Terrain {
              std::array<Vec3, 2>& ends) const;
     /// Of a triangle's plane at (x, y) [m]; NaN where the triangle is not, or is vertical.
     double heightOn(std::size_t triangle, double x, double y) const;
+
     const Vec3& cornerOf(std::size_t triangle, std::size_t k) const {
         return mesh_.vertices[static_cast<std::size_t>(mesh_.triangles[triangle][k])];
     }
 
     TriangleMesh mesh_;
-    std::vector<Vec3> normals_;          ///< unit, of every triangle
+    std::vector<Vec3> normals_;         ///< unit, of every triangle
     std::vector<std::uint8_t> spread_;  ///< of every triangle: 1 when it lies in several cells
     std::vector<Eigen::Vector2d> profile_;
     std::pair<double, double> obstacleRange_{1.0, -1.0};
     // Uniform grid over x-y: the triangles in each cell, in CSR layout.
-    double cellSize_ = 0.05;
+    double cellX_ = 0.05, cellY_ = 0.05;  ///< size of a cell [m]
     double gridX0_ = 0.0, gridY0_ = 0.0;
     int gridNx_ = 0, gridNy_ = 0;
     std::vector<int> cellStart_;
