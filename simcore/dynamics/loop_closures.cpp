@@ -16,8 +16,9 @@ using mechanism::FreedomKind;
 
 /// Pivots below this share of the first one are no rank.
 constexpr double kRank = 1e-8;
-/// Choice of dependent rates is made anew when the pivots get this far apart.
-constexpr double kPoorChoice = 1e-3;
+/// Choice of dependent rates is made anew when the pivots get this far apart: a small error of an
+/// independent coordinate is that much larger in a dependent one (assumed).
+constexpr double kPoorChoice = 0.1;
 /// Gaps that are left [rad, or wheelbases].
 constexpr double kClosed = 1e-11;
 constexpr int kMaxCorrections = 12;
@@ -229,7 +230,7 @@ void LoopClosures::evaluate(Cluster& cluster, const TreeMotion& motion) const {
     }
 }
 
-void LoopClosures::choose(Cluster& cluster) const {
+bool LoopClosures::choose(Cluster& cluster) const {
     Eigen::MatrixXd rest = cluster.jacobian;
     std::vector<int> rows(static_cast<std::size_t>(rest.rows()));
     std::vector<int> columns(static_cast<std::size_t>(rest.cols()));
@@ -262,9 +263,18 @@ void LoopClosures::choose(Cluster& cluster) const {
         }
         ++rank;
     }
-    cluster.used.assign(rows.begin(), rows.begin() + rank);
-    cluster.dependent.assign(columns.begin(), columns.begin() + rank);
-    cluster.independent.assign(columns.begin() + rank, columns.end());
+    rows.resize(static_cast<std::size_t>(rank));
+    std::vector<int> independent(columns.begin() + rank, columns.end());
+    columns.resize(static_cast<std::size_t>(rank));
+    // In order, so that the same choice is known again.
+    for (std::vector<int>* chosen : {&rows, &columns, &independent}) {
+        std::sort(chosen->begin(), chosen->end());
+    }
+    const bool another = rows != cluster.used || columns != cluster.dependent;
+    cluster.used = std::move(rows);
+    cluster.dependent = std::move(columns);
+    cluster.independent = std::move(independent);
+    return another;
 }
 
 double LoopClosures::eliminate(Cluster& cluster) const {
@@ -347,8 +357,7 @@ bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
         std::fill(change_.begin(), change_.end(), 0.0);
         for (Cluster& cluster : clusters_) {
             evaluate(cluster, motion);
-            if (eliminate(cluster) < kPoorChoice && !chosen) {
-                choose(cluster);
+            if (eliminate(cluster) < kPoorChoice && !chosen && choose(cluster)) {
                 eliminate(cluster);
                 chosen = true;
             }

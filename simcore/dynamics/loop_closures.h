@@ -115,7 +115,8 @@ class LoopClosures {
     /// Wrench of each of a closure's rows on its second body, with the gaps.
     void evaluateClosure(const Closure& closure, const TreeMotion& motion,
                          std::vector<Vec6>& wrenches, std::vector<double>& gaps) const;
-    void choose(Cluster& cluster) const;
+    /// Chooses dependent rates and the rows that give them; false when they are the same again.
+    bool choose(Cluster& cluster) const;
     /// Solves for the dependent rates; the smallest of the pivots over the largest.
     double eliminate(Cluster& cluster) const;
     void number();
