@@ -129,6 +129,9 @@ class World {
         return sum;
     }
 
+    /// Of the last step.
+    const std::vector<simcore::contact::Contact>& contacts() const { return contacts_; }
+
     Engine& engine() { return *engine_; }
 
     const Engine& engine() const { return *engine_; }
