@@ -16,8 +16,9 @@ using mechanism::FreedomKind;
 
 /// Pivots below this share of the first one are no rank.
 constexpr double kRank = 1e-8;
-/// A better choice of dependent rates is looked for when the pivots get this far apart.
-constexpr double kPoorChoice = 0.05;
+/// A better choice of dependent rates is looked for when the pivots get this far apart: a small error
+/// of an independent coordinate is that much larger in a dependent one (assumed).
+constexpr double kPoorChoice = 0.1;
 /// Below this share the pose counts as singular: what is divided by such pivots is noise.
 constexpr double kSingular = 1e-7;
 /// Gaps that are left [rad, or wheelbases].

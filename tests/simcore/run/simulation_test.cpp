@@ -317,6 +317,23 @@ TEST_P(ShippedScenarioTest, LoopsStayClosed) {
     EXPECT_LT(report.penetrationMax, 0.005);
 }
 
+// The engine in free rates keeps loops closed to a nanometre and friction to its cone.
+TEST_P(ShippedScenarioTest, ReducedKeepsLoopsAndCone) {
+    const auto& [rover, scenario] = GetParam();
+    ResolvedRun run = prepared(shipped(rover), request(scenario));
+    run.engine = project::EngineKind::Reduced;
+    run.speed *= 2.0;
+    run.distance = scenario == "flat" ? 0.4 : 1.5;
+    const RunReport report = reportOf(run);
+    EXPECT_EQ(report.engine, "reduced");
+    EXPECT_EQ(report.stopReason, StopReason::Completed) << report.stopDetail;
+    EXPECT_LT(report.loopErrorMax, 1e-9);
+    EXPECT_EQ(report.frictionViolationPercent, 0.0);
+    EXPECT_LT(report.frictionWorstPercent, 1.0);
+    EXPECT_LT(report.penetrationMax, 1e-3);
+    EXPECT_EQ(report.solverMessages, 0);
+}
+
 // -- the same numbers again -----------------------------------------------------------------------
 
 namespace {
