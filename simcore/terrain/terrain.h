@@ -55,6 +55,11 @@ class Terrain {
     /// Height of the highest ground at (x, y) [m]; NaN outside the mesh.
     double heightAt(double x, double y) const;
 
+    /// Upper bound of heightAt() over the box's x and y [m]: exceeds it by what the ground changes
+    /// within about a look-up cell. -infinity where there is no ground; a box beyond the ground has
+    /// the bound of the nearest cells. A handful of look-ups.
+    double highest(const Vec3& low, const Vec3& high) const;
+
     /// Exact section of the ground with the plane: the pieces that come within `radius` of its
     /// origin. Appends to `out` (cleared first), no allocation once `out` has grown.
     void slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const;
@@ -72,6 +77,8 @@ class Terrain {
 
   private:
     void index();
+    void indexHeights();
+    float highestIn(std::size_t level, int ix, int iy) const;
     int column(double x) const;  ///< of the look-up grid, the nearest one outside it
     int row(double y) const;
     std::size_t cellAt(int ix, int iy) const;
@@ -93,6 +100,15 @@ class Terrain {
     std::vector<int> cellTriangles_;
     std::vector<float> cellSteepest_;  ///< steepest slope of the triangles in each cell [rad]
     float steepest_ = 0.0F;
+    std::vector<float> cellHighest_;  ///< no ground in the cell is above it [m], world
+
+    /// The same of 2 x 2 cells, 4 x 4 cells, ... up to one for all.
+    struct Coarse {
+        int ny = 0;
+        std::vector<float> highest;
+    };
+
+    std::vector<Coarse> coarse_;
 };
 
 }  // namespace simcore::terrain
