@@ -14,9 +14,9 @@ using project::ShapeKind;
 
 // Samples of one shape stand no further apart [m]; a rock under a belly is to be felt.
 constexpr double kSampleSpacing = 0.03;
-// The rim of a cylinder has at least this many samples: they leave its circle by at most 4 % of
-// the radius.
-constexpr int kFewestOnRim = 12;
+// Each quarter of a cylinder's rim has at least this many samples: the polygon of all leaves the
+// circle by at most 2 % of the radius.
+constexpr int kFewestOnQuarter = 4;
 // A sample this far inside another shape is hidden by it [m]: more than rounding.
 constexpr double kHidden = 1e-6;
 // Cosine of the angle up to which a face of the ground looks at a face of the body, 73 deg
@@ -114,8 +114,8 @@ std::vector<BodySample> samplesOfCylinder(const Frame& frame) {
         // Inwards to the axis on the ends, the rim alone between them.
         for (int ring = rings; ring >= (end ? 0 : rings); --ring) {
             const double r = radius * ring / rings;
-            const int count =
-                ring == 0 ? 1 : std::max(kFewestOnRim, piecesOf(2.0 * std::numbers::pi * r));
+            const int quarter = std::max(kFewestOnQuarter, piecesOf(0.5 * std::numbers::pi * r));
+            const int count = ring == 0 ? 1 : 4 * quarter;
             for (int k = 0; k < count; ++k) {
                 const double angle = 2.0 * std::numbers::pi * k / count;
                 const Vec3 outward =
@@ -216,8 +216,17 @@ struct Nearest {
     double height;    ///< of the point above the face's plane [m]
 };
 
-/// Of faces equally near, as two that share the nearest edge, the one that the point is furthest
-/// from the plane of: it tells on which side of the ground the point is.
+/// Of faces equally near, as two that share the nearest edge, the one comes first that the point is
+/// furthest from the plane of: it tells on which side of the ground the point is.
+bool comesBefore(const Nearest& a, const Nearest& b) {
+    if (std::abs(a.distance - b.distance) > kAsNear) {
+        return a.distance < b.distance;
+    }
+    const double further = std::abs(a.height) - std::abs(b.height);
+    return std::abs(further) > kAsNear ? further > 0.0 : a.distance < b.distance;
+}
+
+/// Of those faces that look at the body.
 template <class LooksAtBody>
 std::optional<Nearest> nearestOf(const std::vector<terrain::Facet>& facets, const Vec3& p,
                                  const LooksAtBody& looksAtBody) {
@@ -229,10 +238,9 @@ std::optional<Nearest> nearestOf(const std::vector<terrain::Facet>& facets, cons
         const Vec3 q = nearestOn(facet.corners, p);
         const double distance = (p - q).norm();
         const double height = facet.normal.dot(p - facet.corners[0]);
-        if (!best || distance < best->distance - kAsNear ||
-            (distance < best->distance + kAsNear &&
-             std::abs(height) > std::abs(best->height) + kAsNear)) {
-            best = {q, facet.normal, distance, height};
+        const Nearest found{q, facet.normal, distance, height};
+        if (!best || comesBefore(found, *best)) {
+            best = found;
         }
     }
     return best;
@@ -336,8 +344,9 @@ void BodyContactFinder::touch(std::size_t index, const Placed& placed) {
         reach = std::max(reach, std::min(std::abs(below), deepest_));
     }
     constexpr double kRounding = 1e-9;
+    constexpr double kAnyDirection = std::numbers::pi;
     const Vec3 box = Vec3::Constant(reach + kRounding);
-    terrain_.facing(p - box, p + box, Vec3::UnitZ(), 0.5 * std::numbers::pi, facets_);
+    terrain_.facing(p - box, p + box, Vec3::UnitZ(), kAnyDirection, facets_);
     const auto looksAtBody = [&](const Vec3& normal) {
         bool looks = sample.faceCount == 0;
         for (int k = 0; k < sample.faceCount && !looks; ++k) {
@@ -349,13 +358,13 @@ void BodyContactFinder::touch(std::size_t index, const Placed& placed) {
     if (!ground || ground->distance > reach + kRounding) {
         return;
     }
-    const bool inside = ground->height < 0.0;
-    const double depth = sample.radius + (inside ? ground->distance : -ground->distance);
-    if (depth <= -margin_ || (inside && ground->distance > deepest_)) {
+    // A ball touches an edge with its own surface.
+    const bool isInside = ground->height < 0.0;
+    const bool isBall = sample.radius > 0.0 && !isInside && ground->distance > kRounding;
+    const double depth = isBall ? sample.radius - ground->distance : sample.radius - ground->height;
+    if (depth <= -margin_ || (isInside && ground->distance > deepest_)) {
         return;
     }
-    // A ball touches an edge with its own surface.
-    const bool isBall = sample.radius > 0.0 && !inside && ground->distance > kRounding;
     const Vec3 normal = isBall ? Vec3((p - ground->point) / ground->distance) : ground->normal;
     touching_.push_back({-1, static_cast<int>(index), ground->point, normal,
                          alongFace(placed.forward, normal), depth, placed.part.body});

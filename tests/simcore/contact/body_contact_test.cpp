@@ -166,31 +166,41 @@ TEST(BodyContactTest, EveryKindOfShapeTouchesWithItsLowestPoint) {
           Case{roundShape(ShapeKind::Cylinder, {0.0, -0.1, 0.0}, {0.0, 0.1, 0.0}, 0.06), 0.06},
           Case{roundShape(ShapeKind::Cylinder, {0.0, 0.0, -0.08}, {0.0, 0.0, 0.1}, 0.06), 0.08},
           Case{barShape(Vec3::Zero(), rise, 0.02, 0.04), barLow}}) {
-        // Rims are polygons: within 4 % of the radius.
-        const double rounding = c.shape.kind == ShapeKind::Cylinder ? 0.04 * 0.06 : 1e-9;
         const auto contacts =
             contactsOf(bodyOfShapes({c.shape}), levelGround(), poseAt({0.3, 0.1, c.low - kDepth}));
         ASSERT_FALSE(contacts.empty());
-        EXPECT_LE(deepestOf(contacts), kDepth + 1e-9);
-        EXPECT_GE(deepestOf(contacts), kDepth - rounding);
+        EXPECT_NEAR(deepestOf(contacts), kDepth, 1e-9);
     }
 }
 
-// Samples of every shape lie on its surface, and no place of a face is far from one.
+// The rim is a polygon that leaves the circle by at most 2 %.
+TEST(BodyContactTest, ACylinderTouchesWhereverItTurns) {
+    const Mechanism can =
+        bodyOfShapes({roundShape(ShapeKind::Cylinder, {0.0, -0.1, 0.0}, {0.0, 0.1, 0.0}, 0.06)});
+    for (int i = 0; i < 20; ++i) {
+        const auto contacts = contactsOf(can, levelGround(),
+                                         poseAt({0.0, 0.0, 0.058}, turn(0.05 * i, Vec3::UnitY())));
+        EXPECT_LE(deepestOf(contacts), 0.002 + 1e-9);
+        EXPECT_GE(deepestOf(contacts), 0.002 - 0.02 * 0.06);
+    }
+}
+
+// Samples of a face stand 30 mm apart: one of them is over any place that is 40 mm long and wide.
 TEST(BodyContactTest, ARockUnderTheBellyIsFound) {
-    // A mound of one grid point, 40 mm wide at its foot, somewhere under a box without corners
-    // near.
     Random random(11);
     for (int i = 0; i < 50; ++i) {
         const int ix = static_cast<int>(random.uniform(42.0, 58.0));
         const int iy = static_cast<int>(random.uniform(44.0, 56.0));
         std::vector<double> heights(101 * 101, 0.0);
-        heights[static_cast<std::size_t>(ix * 101 + iy)] = 0.05;
+        for (int dx = -1; dx <= 1; ++dx) {
+            for (int dy = -1; dy <= 1; ++dy) {
+                heights[static_cast<std::size_t>((ix + dx) * 101 + iy + dy)] = 0.05;
+            }
+        }
         const auto ground = terrain::Terrain::grid(-1.0, -1.0, 0.02, 101, 101, heights);
-        // The peak is 45 mm in the belly: somewhere a sample stands in the mound.
         const auto contacts =
             contactsOf(box(), ground, poseAt({0.0, 0.0, 0.5 * kSize.z() + 0.005}));
-        EXPECT_FALSE(contacts.empty()) << "peak at " << ix << ", " << iy;
+        EXPECT_FALSE(contacts.empty()) << "rock at " << ix << ", " << iy;
         for (const Contact& c : contacts) {
             EXPECT_GT(c.normal.z(), 0.0);
             EXPECT_LE(c.depth, 0.045);
