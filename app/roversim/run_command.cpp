@@ -140,6 +140,12 @@ void printTable(const run::RunReport& report) {
                    1e3 * wheel.slipAbs, 1e3 * wheel.slipSigned, wheel.meanNormalForce,
                    wheel.maxTorque, wheel.airTime);
     }
+    if (!report.bodies.empty()) {
+        fmt::print("\n  {:<22}{:>12}{:>12}\n", "body on the ground", "time [s]", "force [N]");
+    }
+    for (const run::BodyReport& body : report.bodies) {
+        fmt::print("  {:<22}{:>12.2f}{:>12.2f}\n", body.name, body.contactTime, body.maxForce);
+    }
 }
 
 int runScenario(const Options& options) {

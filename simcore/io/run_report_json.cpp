@@ -27,6 +27,14 @@ Json toJson(const run::WheelReport& wheel) {
     return json;
 }
 
+Json toJson(const run::BodyReport& body) {
+    Json json;
+    json["name"] = body.name;
+    json["contact_time_s"] = number(body.contactTime);
+    json["max_force_N"] = number(body.maxForce);
+    return json;
+}
+
 /// Takes a value when it is there and of the right kind.
 template <class T>
 void take(const nlohmann::json& json, const char* key, T& value) {
@@ -70,6 +78,30 @@ run::WheelReport wheelFrom(const nlohmann::json& json) {
     return wheel;
 }
 
+run::BodyReport bodyFrom(const nlohmann::json& json) {
+    run::BodyReport body;
+    take(json, "name", body.name);
+    take(json, "contact_time_s", body.contactTime);
+    take(json, "max_force_N", body.maxForce);
+    return body;
+}
+
+/// The entries of an array, when it is there: at most as many as a recording may have.
+template <class Report, class Read>
+void takeAll(const nlohmann::json& json, const char* key, const Read& read,
+             std::vector<Report>& reports) {
+    const auto list = json.find(key);
+    if (list == json.end() || !list->is_array()) {
+        return;
+    }
+    for (const auto& entry : *list) {
+        if (reports.size() >= kMostParts) {
+            break;
+        }
+        reports.push_back(read(entry));
+    }
+}
+
 }  // namespace
 
 run::RunReport parseReport(const std::string& text) {
@@ -94,14 +126,8 @@ run::RunReport parseReport(const std::string& text) {
     take(json, "distance_m", report.distance);
     take(json, "slip_abs_m", report.slipAbs);
     take(json, "slip_signed_m", report.slipSigned);
-    if (const auto wheels = json.find("wheels"); wheels != json.end() && wheels->is_array()) {
-        for (const auto& wheel : *wheels) {
-            if (report.wheels.size() >= kMostParts) {
-                break;
-            }
-            report.wheels.push_back(wheelFrom(wheel));
-        }
-    }
+    takeAll(json, "wheels", wheelFrom, report.wheels);
+    takeAll(json, "body_contacts", bodyFrom, report.bodies);
     take(json, "energy_J", report.energy);
     take(json, "state_hash", report.stateHash);
     take(json, "friction_violation_pct", report.frictionViolationPercent);
@@ -146,6 +172,10 @@ Json toJson(const run::RunReport& report) {
     json["wheels"] = Json::array();
     for (const run::WheelReport& wheel : report.wheels) {
         json["wheels"].push_back(toJson(wheel));
+    }
+    json["body_contacts"] = Json::array();
+    for (const run::BodyReport& body : report.bodies) {
+        json["body_contacts"].push_back(toJson(body));
     }
     json["energy_J"] = number(report.energy);
     json["state_hash"] = report.stateHash;

@@ -222,6 +222,7 @@ void describe(V& v, const RunSettings*) {
     v.optional("settle", &RunSettings::settle);
     v.optional("ramp", &RunSettings::ramp);
     v.optional("relaxed_joints", &RunSettings::relaxedJoints);
+    v.optional("body_contacts", &RunSettings::bodyContacts);
     v.optional("seed", &RunSettings::seed);
 }
 

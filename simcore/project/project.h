@@ -293,6 +293,7 @@ struct RunSettings {
     Quantity settle{0.5};        ///< at rest first [s]
     Quantity ramp{0.5};          ///< then the command rises [s]
     bool relaxedJoints = false;  ///< joints with the freedoms of the relaxed model
+    bool bodyContacts = true;    ///< bodies that are no wheels touch the ground, too
     int seed = 1;                ///< of the sensors' noise
     bool operator==(const RunSettings&) const = default;
 };

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
 
+#include "simcore/contact/body_contacts.h"
 #include "simcore/dynamics/engine.h"
 #include "simcore/io/terrain_file.h"
 #include "simcore/project/names.h"
@@ -57,10 +60,33 @@ project::Scenario withRequest(project::Scenario scenario, const RunRequest& requ
     return scenario;
 }
 
+// Deeper contacts at the start are problems [m], assumed: ten times the resting depth.
+constexpr double kDeepestStart = 0.005;
+
+/// A body that is no wheel and stands deep in an obstacle would be thrown out of it, or hang in it.
+void checkStartOfBodies(const ResolvedRun& run, Problems& problems) {
+    contact::BodyContactFinder finder(run.mechanism, *run.terrain, 0.0,
+                                      std::numeric_limits<double>::infinity());
+    std::map<int, double> depths;
+    for (const contact::Contact& contact :
+         finder.find(std::vector<Pose>(run.mechanism.bodies.size()))) {
+        double& depth = depths[contact.body];
+        depth = std::max(depth, contact.depth);
+    }
+    for (const auto& [body, depth] : depths) {
+        if (depth > kDeepestStart) {
+            problems.push_back({Severity::Critical,
+                                "body " + run.mechanism.bodies[static_cast<std::size_t>(body)].name,
+                                fmt::format("it starts {:.1f} mm deep in the ground.", 1e3 * depth),
+                                "Start the terrain's first feature further ahead, raise the body's "
+                                "shapes, or set the run's body_contacts to false."});
+        }
+    }
+}
+
 /// A wheel that stands deep in an obstacle at the start would be thrown out of it; one beside the
 /// ground would fall.
 void checkStart(const ResolvedRun& run, Problems& problems) {
-    constexpr double kDeepest = 0.005;  // [m], assumed: ten times the resting depth
     for (const mechanism::Wheel& wheel : run.mechanism.wheels) {
         // Bodies start with their frames at the origin.
         if (std::isnan(run.terrain->heightAt(wheel.center.x(), wheel.center.y()))) {
@@ -74,13 +100,16 @@ void checkStart(const ResolvedRun& run, Problems& problems) {
     contact::WheelContactFinder finder(run.mechanism, *run.terrain);
     for (const contact::Contact& contact :
          finder.find(std::vector<Pose>(run.mechanism.bodies.size()))) {
-        if (contact.depth > kDeepest) {
+        if (contact.depth > kDeepestStart) {
             problems.push_back(
                 {Severity::Critical,
                  "wheel " + run.mechanism.wheels[static_cast<std::size_t>(contact.wheel)].name,
                  fmt::format("it starts {:.1f} mm deep in the ground.", 1e3 * contact.depth),
                  "Start the terrain's first feature further ahead, or raise the wheel."});
         }
+    }
+    if (run.bodyContacts) {
+        checkStartOfBodies(run, problems);
     }
 }
 
@@ -123,6 +152,7 @@ std::optional<ResolvedRun> readRun(const project::Project& project,
     run.controller = scenario.controller.kind;
     run.steering = scenario.controller.steering;
     run.headingHold = scenario.controller.headingHold;
+    run.bodyContacts = scenario.run.bodyContacts;
     run.seed = scenario.run.seed;
     run.joints = scenario.run.relaxedJoints ? mechanism::Model::Relaxed : mechanism::Model::Built;
     return run;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "simcore/base/hash.h"
+#include "simcore/contact/body_contacts.h"
 #include "simcore/contact/wheel_contact.h"
 #include "simcore/control/controller.h"
 #include "simcore/control/steering.h"
@@ -52,10 +54,12 @@ struct Simulation::Impl {
     void reset();
     void step();
     void control();
+    void findContacts();
     void applyDrives();
     void applySteering();
     void updateSnapshot();
     void measure();
+    void measureBodies();
     void checkEnd();
     std::string blownUpBody() const;
     std::string whyStuck() const;
@@ -70,6 +74,7 @@ struct Simulation::Impl {
     ResolvedRun run;
     std::unique_ptr<dynamics::Engine> engine;
     contact::WheelContactFinder contactFinder;
+    std::optional<contact::BodyContactFinder> bodyFinder;
     std::unique_ptr<control::Controller> controller;
     std::vector<control::WheelDrive> drives;
     std::vector<std::size_t> steered;  ///< the first wheel of each steering joint
@@ -98,6 +103,8 @@ struct Simulation::Impl {
     std::string detail;
     std::vector<WheelReport> wheels;
     std::vector<double> loadSums;
+    std::vector<BodyReport> bodies;  ///< all
+    std::vector<Vec3> bodyForces;    ///< of the ground on each, of the last step [N]
     double energy = 0.0;
     double loopErrorMax = 0.0;
     double penetrationMax = 0.0;
@@ -116,6 +123,9 @@ Simulation::Impl::Impl(ResolvedRun settings, const dynamics::EngineMaker& makeEn
       observer(run.mechanism, run.step),
       loopError(run.mechanism, run.joints),
       friction(run.mechanism, *run.terrain) {
+    if (run.bodyContacts) {
+        bodyFinder.emplace(run.mechanism, *run.terrain, engine->contactMargin());
+    }
     for (const mechanism::Wheel& wheel : run.mechanism.wheels) {
         drives.emplace_back(wheel, axleInertia(run.mechanism, wheel));
     }
@@ -158,6 +168,10 @@ void Simulation::Impl::reset() {
         wheels[i].name = run.mechanism.wheels[i].name;
     }
     loadSums.assign(count, 0.0);
+    bodies.assign(run.mechanism.bodies.size(), {});
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        bodies[i].name = run.mechanism.bodies[i].name;
+    }
     energy = loopErrorMax = penetrationMax = wallTime = progressX = progressTime = 0.0;
     updateSnapshot();
 }
@@ -223,19 +237,27 @@ void Simulation::Impl::applySteering() {
     }
 }
 
-void Simulation::Impl::step() {
-    const auto start = std::chrono::steady_clock::now();
-    control();
-    applyDrives();
-    before = engine->poses();
+void Simulation::Impl::findContacts() {
     contacts = contactFinder.find(before);
-    engine->writeState(lastGood);
+    if (bodyFinder) {
+        const std::vector<contact::Contact>& found = bodyFinder->find(before);
+        contacts.insert(contacts.end(), found.begin(), found.end());
+    }
     grounds.clear();
     frictions.clear();
     for (const contact::Contact& contact : contacts) {
         grounds.push_back(project::groundAt(run, contact.point.x(), contact.point.y()));
         frictions.push_back(grounds.back().friction);
     }
+}
+
+void Simulation::Impl::step() {
+    const auto start = std::chrono::steady_clock::now();
+    control();
+    applyDrives();
+    before = engine->poses();
+    findContacts();
+    engine->writeState(lastGood);
     engine->step({torques, resistances, contacts, frictions, motors});
     if (std::string body = blownUpBody(); !body.empty()) {
         engine->restoreState(lastGood);
@@ -310,6 +332,7 @@ void Simulation::Impl::measure() {
             grounds[i].rollingResistance *
             std::max(0.0, engine->contactForces()[i].dot(contact.normal));
     }
+    measureBodies();
     if (now.time > run.settle) {
         friction.observe(contacts, engine->contactForces(), frictions);
         loopErrorMax = std::max(loopErrorMax, loopError.measure(engine->poses()));
@@ -329,6 +352,20 @@ void Simulation::Impl::measure() {
             wheels[i].airTime += state.touching ? 0.0 : run.step;
             loadSums[i] += state.normalForce * run.step;
         }
+    }
+}
+
+void Simulation::Impl::measureBodies() {
+    bodyForces.assign(bodies.size(), Vec3::Zero());
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        if (contacts[i].wheel < 0) {
+            bodyForces[static_cast<std::size_t>(contacts[i].body)] += engine->contactForces()[i];
+        }
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const double force = bodyForces[i].norm();
+        bodies[i].contactTime += force > 0.0 ? run.step : 0.0;
+        bodies[i].maxForce = std::max(bodies[i].maxForce, force);
     }
 }
 
@@ -448,6 +485,8 @@ RunReport Simulation::report() const {
         report.slipSigned += report.wheels[i].slipSigned;
         report.wheels[i].meanNormalForce = counted > 0.0 ? s.loadSums[i] / counted : 0.0;
     }
+    std::copy_if(s.bodies.begin(), s.bodies.end(), std::back_inserter(report.bodies),
+                 [](const BodyReport& body) { return body.contactTime > 0.0; });
     report.energy = s.energy;
     report.stateHash = s.hashText();
     report.frictionViolationPercent = s.friction.violationPercent();

@@ -50,6 +50,7 @@ struct ResolvedRun : project::ScenarioValues {
     mechanism::Model joints = mechanism::Model::Built;
     project::SteeringMode steering = project::SteeringMode::Auto;
     bool headingHold = false;
+    bool bodyContacts = true;  ///< chassis, forks and links touch the ground, too
     int seed = 1;
     std::string scenario;
 };
@@ -90,6 +91,13 @@ struct WheelReport {
     double airTime = 0.0;                                       ///< [s]
 };
 
+/// A body that is no wheel and touched the ground.
+struct BodyReport {
+    std::string name;
+    double contactTime = 0.0;  ///< with a contact force [s]
+    double maxForce = 0.0;     ///< largest sum of its contact forces [N]
+};
+
 /// What a run came to. docs/csv.md and docs/run-report.md define every number.
 struct RunReport {
     std::string engine;
@@ -103,6 +111,7 @@ struct RunReport {
     double distance = 0.0;
     double slipAbs = 0.0, slipSigned = 0.0;
     std::vector<WheelReport> wheels;
+    std::vector<BodyReport> bodies;  ///< those that touched the ground, mechanism order
     double energy = 0.0;
     std::string stateHash;  ///< 16 hex digits
     double frictionViolationPercent = 0.0;

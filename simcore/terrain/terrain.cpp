@@ -1,8 +1,10 @@
 #include "simcore/terrain/terrain.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "simcore/base/planar.h"
 
@@ -45,6 +47,28 @@ Vec3 normalOf(const TriangleMesh& mesh, const std::array<int, 3>& t) {
 /// Angle between a line and the vertical, 0 to pi/2 [rad].
 double leanOf(const Vec3& direction) {
     return std::acos(std::min(1.0, std::abs(direction.z())));
+}
+
+/// Bound of a triangle's height over a rectangle of half sides `reach` [m]: that of its plane there
+/// or that of its corners, whichever is less.
+double highestOver(const TriangleMesh& mesh, const std::array<int, 3>& t, const Vec3& normal,
+                   const Eigen::Vector2d& middle, const Eigen::Vector2d& reach) {
+    const double top = highCorner(mesh, t).z();
+    if (std::abs(normal.z()) < 1e-6) {
+        return top;  // steeper than any height field
+    }
+    const Eigen::Vector2d slope = -normal.head<2>() / normal.z();
+    const Vec3& a = corner(mesh, t, 0);
+    return std::min(top,
+                    a.z() + slope.dot(middle - a.head<2>()) + reach.dot(slope.cwiseAbs()) + kSlack);
+}
+
+/// In single precision, but not below `value`.
+float roundedUp(double value) {
+    const auto nearest = static_cast<float>(value);
+    return static_cast<double>(nearest) < value
+               ? std::nextafter(nearest, std::numeric_limits<float>::infinity())
+               : nearest;
 }
 
 /// Cells that suit a mesh within the box [m].
@@ -251,23 +275,107 @@ void Terrain::index() {
     cellTriangles_.resize(static_cast<std::size_t>(cellStart_.back()));
     std::vector<int> next(cellStart_.begin(), cellStart_.end() - 1);
     cellSteepest_.assign(cellStart_.size() - 1, 0.0F);
-    cellHighest_.assign(cellStart_.size() - 1, -std::numeric_limits<float>::infinity());
     normals_.reserve(mesh_.triangles.size());
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
         normals_.push_back(normalOf(mesh_, mesh_.triangles[i]));
         const CellRange cells = cellsOf(mesh_.triangles[i]);
         spread_.push_back(cells.firstX < cells.lastX || cells.firstY < cells.lastY ? 1 : 0);
         const auto slope = static_cast<float>(leanOf(normals_[i]));
-        const float top =
-            std::nextafter(static_cast<float>(highCorner(mesh_, mesh_.triangles[i]).z()),
-                           std::numeric_limits<float>::infinity());
         steepest_ = std::max(steepest_, slope);
         visitCellsOf(mesh_.triangles[i], [&](std::size_t cell) {
             cellTriangles_[static_cast<std::size_t>(next[cell]++)] = static_cast<int>(i);
             cellSteepest_[cell] = std::max(cellSteepest_[cell], slope);
-            cellHighest_[cell] = std::max(cellHighest_[cell], top);
         });
     }
+    indexHeights();
+}
+
+void Terrain::indexHeights() {
+    constexpr float kNone = -std::numeric_limits<float>::infinity();
+    const Eigen::Vector2d reach(0.5 * cellX_ + kSlack, 0.5 * cellY_ + kSlack);
+    cellHighest_.assign(cellStart_.size() - 1, kNone);
+    for (int ix = 0; ix < gridNx_; ++ix) {
+        for (int iy = 0; iy < gridNy_; ++iy) {
+            const std::size_t cell = cellAt(ix, iy);
+            const Eigen::Vector2d middle(gridX0_ + (ix + 0.5) * cellX_,
+                                         gridY0_ + (iy + 0.5) * cellY_);
+            for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
+                const auto triangle =
+                    static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]);
+                const double top = highestOver(mesh_, mesh_.triangles[triangle],
+                                               normals_[triangle], middle, reach);
+                cellHighest_[cell] = std::max(cellHighest_[cell], roundedUp(top));
+            }
+        }
+    }
+    coarse_.clear();
+    int nx = gridNx_;
+    int ny = gridNy_;
+    while (nx > 1 || ny > 1) {
+        const int finerNx = std::exchange(nx, (nx + 1) / 2);
+        const int finerNy = std::exchange(ny, (ny + 1) / 2);
+        Coarse level{ny, std::vector<float>(
+                             static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny), kNone)};
+        for (int ix = 0; ix < finerNx; ++ix) {
+            for (int iy = 0; iy < finerNy; ++iy) {
+                float& most =
+                    level.highest[static_cast<std::size_t>(ix / 2) * static_cast<std::size_t>(ny) +
+                                  static_cast<std::size_t>(iy / 2)];
+                most = std::max(most, highestIn(coarse_.size(), ix, iy));
+            }
+        }
+        coarse_.push_back(std::move(level));
+    }
+}
+
+float Terrain::highestIn(std::size_t level, int ix, int iy) const {
+    if (level == 0) {
+        return cellHighest_[cellAt(ix, iy)];
+    }
+    const Coarse& coarse = coarse_[level - 1];
+    return coarse.highest[static_cast<std::size_t>(ix) * static_cast<std::size_t>(coarse.ny) +
+                          static_cast<std::size_t>(iy)];
+}
+
+double Terrain::highest(const Vec3& low, const Vec3& high) const {
+    const int firstX = column(low.x() - kSlack);
+    const int firstY = row(low.y() - kSlack);
+    const int lastX = column(high.x() + kSlack);
+    const int lastY = row(high.y() + kSlack);
+    float best = -std::numeric_limits<float>::infinity();
+    // Coarse cells that are no higher than what was found are not looked into.
+    const auto visit = [&](const auto& self, int level, int ix, int iy) -> void {
+        const int left = ix << level;
+        const int right = ((ix + 1) << level) - 1;
+        const int near = iy << level;
+        const int far = ((iy + 1) << level) - 1;
+        if (left > lastX || right < firstX || near > lastY || far < firstY || left >= gridNx_ ||
+            near >= gridNy_) {
+            return;
+        }
+        const float value = highestIn(static_cast<std::size_t>(level), ix, iy);
+        if (value <= best) {
+            return;
+        }
+        if (level == 0 || (left >= firstX && right <= lastX && near >= firstY && far <= lastY)) {
+            best = value;
+            return;
+        }
+        for (const int dx : {0, 1}) {
+            for (const int dy : {0, 1}) {
+                self(self, level - 1, 2 * ix + dx, 2 * iy + dy);
+            }
+        }
+    };
+    const auto span = static_cast<unsigned>(std::max(lastX - firstX, lastY - firstY));
+    const int level =
+        std::min(static_cast<int>(std::bit_width(span)), static_cast<int>(coarse_.size()));
+    for (int ix = firstX >> level; ix <= lastX >> level; ++ix) {
+        for (int iy = firstY >> level; iy <= lastY >> level; ++iy) {
+            visit(visit, level, ix, iy);
+        }
+    }
+    return static_cast<double>(best);
 }
 
 double Terrain::heightAt(double x, double y) const {

@@ -57,6 +57,11 @@ class Terrain {
     /// Height of the highest ground at (x, y) [m]; NaN outside the mesh.
     double heightAt(double x, double y) const;
 
+    /// Upper bound of heightAt() over the box's x and y [m]: exceeds it by what the ground changes
+    /// within about a look-up cell. -infinity where there is no ground; a box beyond the ground has
+    /// the bound of the nearest cells. A handful of look-ups.
+    double highest(const Vec3& low, const Vec3& high) const;
+
     /// Exact sections of the ground with planes beside each other: the pieces that come within
     /// `radius` of each plane's origin. No allocation once `out` has grown.
     /// @param plane    a plane
@@ -84,6 +89,8 @@ class Terrain {
 
   private:
     void index();
+    void indexHeights();
+    float highestIn(std::size_t level, int ix, int iy) const;
 
     /// Cells of the look-up grid, from first to last.
     struct CellRange {
@@ -121,9 +128,17 @@ class Terrain {
     int gridNx_ = 0, gridNy_ = 0;
     std::vector<int> cellStart_;
     std::vector<int> cellTriangles_;
-    std::vector<float> cellHighest_;   ///< no triangle in the cell is higher [m]
     std::vector<float> cellSteepest_;  ///< steepest slope of the triangles in each cell [rad]
     float steepest_ = 0.0F;
+    std::vector<float> cellHighest_;  ///< no ground in the cell is above it [m], world
+
+    /// The same of 2 x 2 cells, 4 x 4 cells, ... up to one for all.
+    struct Coarse {
+        int ny = 0;
+        std::vector<float> highest;
+    };
+
+    std::vector<Coarse> coarse_;
 };
 
 }  // namespace simcore::terrain

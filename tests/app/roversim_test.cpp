@@ -240,10 +240,26 @@ TEST_F(RoversimTest, RunReportsAllKeysAndRepeatsBitForBit) {
                                   csv.string() + "' " + shipped("solero");
     const Outcome first = roversim(arguments);
     const json report = json::parse(first.out);
-    for (const char* key : {"schema", "program_version", "engine", "dt", "steps", "sim_time_s",
-                            "wall_s", "rtf", "completed", "stop_reason", "distance_m", "slip_abs_m",
-                            "slip_signed_m", "wheels", "energy_J", "state_hash",
-                            "friction_violation_pct", "loop_error_max_mm", "penetration_max_mm"}) {
+    for (const char* key : {"schema",
+                            "program_version",
+                            "engine",
+                            "dt",
+                            "steps",
+                            "sim_time_s",
+                            "wall_s",
+                            "rtf",
+                            "completed",
+                            "stop_reason",
+                            "distance_m",
+                            "slip_abs_m",
+                            "slip_signed_m",
+                            "wheels",
+                            "body_contacts",
+                            "energy_J",
+                            "state_hash",
+                            "friction_violation_pct",
+                            "loop_error_max_mm",
+                            "penetration_max_mm"}) {
         EXPECT_TRUE(report.contains(key)) << key;
     }
     EXPECT_EQ(report.at("wheels").size(), 6U);

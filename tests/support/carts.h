@@ -112,11 +112,18 @@ inline Mechanism makeSteeredCart(const SteeringNumbers& steering = {},
     return mechanism;
 }
 
-/// The mechanism drawn turned about the world's origin.
+/// The mechanism drawn turned about the world's origin. Shapes have no roll: they are turned
+/// exactly about y, else only in place and pitch.
 inline Mechanism turned(Mechanism mechanism, const Mat3& R) {
     for (Body& body : mechanism.bodies) {
         body.com = R * body.com;
         body.inertia = R * body.inertia * R.transpose();
+        for (simcore::mechanism::Shape& shape : body.shapes) {
+            shape.center = R * shape.center;
+            shape.from = R * shape.from;
+            shape.to = R * shape.to;
+            shape.pitch += simcore::turnAbout(Eigen::Quaterniond(R), Vec3::UnitY());
+        }
     }
     for (Joint& joint : mechanism.joints) {
         joint.point = R * joint.point;

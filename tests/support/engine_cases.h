@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "simcore/contact/body_contacts.h"
 #include "simcore/dynamics/engine.h"
 #include "tests/support/carts.h"
 #include "tests/support/free_body_engine.h"
@@ -69,16 +70,20 @@ class World {
           drive(mechanism_.wheels.size(), 0.0),
           external(mechanism_.wheels.size(), 0.0) {}
 
-    /// From here on the wheels touch this ground.
+    /// From here on the wheels, and bodies with shapes, touch this ground.
     void placeOn(const simcore::terrain::Terrain& terrain, double friction) {
         finder_ = std::make_unique<simcore::contact::WheelContactFinder>(mechanism_, terrain, 2,
                                                                          engine_->contactMargin());
+        bodyFinder_ = std::make_unique<simcore::contact::BodyContactFinder>(
+            mechanism_, terrain, engine_->contactMargin());
         friction_ = friction;
     }
 
     void step() {
         if (finder_) {
             contacts_ = finder_->find(engine_->poses());
+            const auto& ofBodies = bodyFinder_->find(engine_->poses());
+            contacts_.insert(contacts_.end(), ofBodies.begin(), ofBodies.end());
         }
         frictions_.assign(contacts_.size(), friction_);
         engine_->step({drive, external, contacts_, frictions_, motors});
@@ -148,6 +153,7 @@ class World {
     double step_;
     std::unique_ptr<Engine> engine_;
     std::unique_ptr<simcore::contact::WheelContactFinder> finder_;
+    std::unique_ptr<simcore::contact::BodyContactFinder> bodyFinder_;
     std::vector<simcore::contact::Contact> contacts_;
     double friction_ = 0.7;
     std::vector<double> frictions_;

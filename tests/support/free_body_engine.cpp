@@ -130,8 +130,7 @@ class FreeBodyEngine final : public Engine {
 
   private:
     std::size_t bodyOf(const contact::Contact& contact) const {
-        return static_cast<std::size_t>(
-            mechanism_.wheels[static_cast<std::size_t>(contact.wheel)].body);
+        return static_cast<std::size_t>(contact::bodyOf(contact, mechanism_));
     }
 
     Vec3 angularVelocity(std::size_t body, const Eigen::Quaterniond& rotation) const {

@@ -170,6 +170,9 @@ constexpr std::array kEntries{
     Entry{"run", "ramp", QT_TRANSLATE_NOOP("fields", "Ramp time"), "s", ""},
     Entry{"run", "relaxed_joints", QT_TRANSLATE_NOOP("fields", "Relaxed joints"), "",
           QT_TRANSLATE_NOOP("fields", "Joints with the freedoms of the relaxed model")},
+    Entry{
+        "run", "body_contacts", QT_TRANSLATE_NOOP("fields", "Body contacts"), "",
+        QT_TRANSLATE_NOOP("fields", "Chassis, forks and links touch the ground, not only wheels")},
     Entry{"run", "seed", QT_TRANSLATE_NOOP("fields", "Seed"), "", ""},
     Entry{"", "name", QT_TRANSLATE_NOOP("fields", "Name"), "",
           QT_TRANSLATE_NOOP("fields",

@@ -34,6 +34,26 @@ Mechanism makeDrumOn(double slope) {
                     {-kRadius * std::sin(slope), 0.0, kRadius * std::cos(slope)});
 }
 
+constexpr double kBoxHeight = 0.12;
+
+/// A solid box without wheels, `gap` above the ground of slopeThroughOrigin(slope) and pitched by
+/// `pitch` against it.
+Mechanism makeBox(double slope, double gap, double pitch = 0.0) {
+    const Vec3 size(0.3, 0.2, kBoxHeight);
+    Mechanism mechanism;
+    mechanism.name = "box";
+    const Vec3 normal(-std::sin(slope), 0.0, std::cos(slope));
+    const double low = 0.5 * (size.x() * std::abs(std::sin(pitch)) + size.z() * std::cos(pitch));
+    mechanism::Shape shape;
+    shape.center = (low + gap) * normal;
+    shape.size = size;
+    shape.pitch = pitch - slope;
+    mechanism.bodies = {makeBody("box", kMass, shape.center)};
+    mechanism.bodies[0].shapes = {shape};
+    mechanism.bodies[0].inertia = mechanism::inertiaOfShapes({shape}, kMass);
+    return mechanism;
+}
+
 /// Speed gained along the slope, downwards, per time [m/s^2]; measured once the drum has settled.
 double accelerationDown(World& world, double slope, double& spinUp) {
     const Vec3 down(-std::cos(slope), 0.0, -std::sin(slope));
@@ -302,6 +322,51 @@ Mechanism makeDrivenFourBar() {
 }
 
 }  // namespace
+
+// -- bodies that touch the ground -----------------------------------------------------------------
+
+// The engines that runs use. The free-body engine has no damping to speak of for what stands on
+// corners: there a box chatters.
+class BodyContactConformanceTest : public ::testing::TestWithParam<EngineCase> {};
+
+INSTANTIATE_TEST_SUITE_P(Engines, BodyContactConformanceTest,
+                         ::testing::ValuesIn(enginesThatCan(Can::Joints)), nameOfCase);
+
+// Dropped level, or on an edge: it comes to lie on its belly, and the ground carries m g.
+TEST_P(BodyContactConformanceTest, ADroppedBoxRestsOnItsBelly) {
+    for (const double pitch : {0.0, 0.3, -0.5}) {
+        World world(GetParam(), makeBox(0.0, 0.005, pitch), kGravityHere, kStep);
+        const auto ground = levelGround();
+        world.placeOn(ground, 0.6);
+        world.run(3.0);
+        const double weight = kMass * kGravityHere;
+        EXPECT_NEAR(world.contactForce(Vec3::UnitZ()), weight, 0.01 * weight) << pitch;
+        EXPECT_LT(world.engine().velocities()[0].linear.norm(), 1e-3) << pitch;
+        EXPECT_LT(world.engine().velocities()[0].angular.norm(), 5e-3) << pitch;
+        const Pose& pose = world.engine().poses()[0];
+        EXPECT_NEAR(simcore::pitch(pose) + pitch, 0.0, 2e-3);
+        EXPECT_NEAR((pose * world.mechanism().bodies[0].com).z(), 0.5 * kBoxHeight, 1e-3);
+    }
+}
+
+// a = g (sin - mu cos) down a slope steeper than the angle of friction; else it stays.
+TEST_P(BodyContactConformanceTest, ABoxSlidesWhereFrictionLetsIt) {
+    constexpr double kSlope = 0.35;  // tangent 0.365
+    const Vec3 down(-std::cos(kSlope), 0.0, -std::sin(kSlope));
+    const auto ground = slopeThroughOrigin(kSlope);
+    for (const double friction : {0.0, 0.2, 0.5}) {
+        World world(GetParam(), makeBox(kSlope, 0.0), kGravityHere, kStep);
+        world.placeOn(ground, friction);
+        world.run(0.2);
+        const double before = world.engine().velocities()[0].linear.dot(down);
+        world.run(0.4);
+        const double gained = world.engine().velocities()[0].linear.dot(down) - before;
+        const double expected =
+            std::max(0.0, kGravityHere * (std::sin(kSlope) - friction * std::cos(kSlope)));
+        EXPECT_NEAR(gained / 0.4, expected, 0.02 * kGravityHere * std::sin(kSlope)) << friction;
+        EXPECT_LT(world.engine().velocities()[0].angular.norm(), 0.01) << "it does not tumble";
+    }
+}
 
 class JointConformanceTest : public ::testing::TestWithParam<EngineCase> {};
 

@@ -80,6 +80,21 @@ TEST(ProjectFileTest, ValuesAndExpressionsOfForeignFilesAreKept) {
     EXPECT_TRUE(*again == *project);
 }
 
+TEST(ProjectFileTest, BodyContactsAreWrittenWhereTheyAreOff) {
+    project::Project project = cart();
+    ASSERT_TRUE(project.scenarios[0].run.bodyContacts) << "on by default";
+    EXPECT_EQ(formatProject(project).find("body_contacts"), std::string::npos);
+    project.scenarios[0].run.bodyContacts = false;
+    const std::string text = formatProject(project);
+    EXPECT_NE(text.find("\"body_contacts\": false"), std::string::npos);
+    const auto again = parseProject(text, "again");
+    ASSERT_TRUE(again) << toString(again.problems());
+    EXPECT_TRUE(*again == project);
+    EXPECT_EQ(formatProject(*again), text);
+    EXPECT_FALSE(parseProject(replaced(text, "\"body_contacts\": false", "\"body_contacts\": 0"),
+                              "a number"));
+}
+
 TEST(ProjectFileTest, NumbersReadBackExactly) {
     project::Project project = cart();
     for (const double value :

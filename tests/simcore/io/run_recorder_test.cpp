@@ -339,6 +339,7 @@ TEST(RunReportJson, ReadsWhatItWrites) {
     report.loopErrorMax = 0.25;
     report.solverMessages = 3;
     report.energy = 1.5;
+    report.bodies = {{"chassis", 0.25, 30.0}};
     EXPECT_EQ(toJson(parseReport(toJson(report).dump())), toJson(report));
     for (const char* text : {"", "[]", "{\"steps\": \"many\", \"wheels\": [3, {}]}", "{\"dt\":"}) {
         EXPECT_EQ(parseReport(text).steps, 0) << text;
