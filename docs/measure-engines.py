@@ -11,6 +11,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 STEPS = {"2": "0.002", "1": "0.001", "0.5": "0.0005"}  # [ms]: [s]
@@ -22,8 +23,8 @@ engine = ENGINES[0]
 
 def ask(verb, project, *options):
     """The JSON that a verb prints; a run that does not complete prints one, too."""
-    command = [roversim, verb, ROOT / f"assets/projects/{project}.rover", *options, "--engine", engine,
-               "--json"]
+    file = project if isinstance(project, pathlib.Path) else ROOT / f"assets/projects/{project}.rover"
+    command = [roversim, verb, file, *options, "--engine", engine, "--json"]
     done = subprocess.run([str(part) for part in command], capture_output=True, text=True)
     if not done.stdout:
         sys.exit(f"{' '.join(map(str, command))}\n{done.stderr}")
@@ -147,8 +148,76 @@ def joints():
             f"{max(100 * abs(other / one - 1) for one, other in loads):.2f}")
 
 
+def reference():
+    """Slip of the reduced engine against its own at 0.1 ms: sums, and the wheel that is furthest from it."""
+    if engine != "reduced":
+        return print("only for the reduced engine: ODE would take a day")
+    heading("controller", "seed", "friction", "2 ms", "1 ms", "0.1 ms", "2 ms apart", "1 ms apart")
+    for controller, friction, seed in itertools.product(("speed", "equal-torque"), ("0.7", "0.4"), range(1, 11)):
+        long, middle, short = (run("solero", "rough-profile", controller, "--seed", seed, "--mu", friction,
+                                   "--distance", "2.0", "--dt", seconds) for seconds in ("0.002", "0.001", "0.0001"))
+
+        def apart(report):
+            percent = 100 * abs(report["slip_abs_m"] / short["slip_abs_m"] - 1)
+            wheel = 1000 * max(abs(one["slip_abs_m"] - other["slip_abs_m"])
+                               for one, other in zip(report["wheels"], short["wheels"]))
+            return f"{percent:.1f} %, {wheel:.1f} mm"
+
+        ends = {report["stop_reason"] for report in (long, middle, short)}
+        row(controller, seed, friction, *(f"{report['slip_abs_m']:.3f}" for report in (long, middle, short)),
+            apart(long), apart(middle) + ("" if ends == {"completed"} else " (" + ", ".join(sorted(ends)) + ")"))
+
+
+def reference_friction():
+    """Friction that a step needs, forwards and backwards, down to 0.1 ms."""
+    if engine != "reduced":
+        return print("only for the reduced engine: ODE would take a day")
+    project = json.loads((ROOT / "assets/projects/solero.rover").read_text())
+    step = next(one for one in project["scenarios"] if one["name"] == "step")
+    step.setdefault("controller", {})["speed"] = -0.1
+    step["terrain"] = {"kind": "step", "start": -2.2, "height": 0.1, "length": 1.2}
+    with tempfile.TemporaryDirectory() as folder:
+        backwards = pathlib.Path(folder) / "backwards.rover"
+        backwards.write_text(json.dumps(project))
+        heading("height [m]", "direction", "2 ms", "1 ms", "0.1 ms")
+        for height, (name, file) in itertools.product(
+                ("0.05", "0.08", "0.10", "0.12"), (("forwards", "solero"), ("backwards", backwards))):
+            low, high, found = 0.25, 1.2, []
+            for seconds in ("0.002", "0.001", "0.0001"):
+                one = ask("critical-friction", file, "--scenario", "step", "--height", height, "--distance", "1.55",
+                          "--low", f"{low:.4f}", "--high", f"{high:.4f}", "--dt", seconds)
+                found.append(f"{one['fails']:.3f}–{one['completes']:.3f}" if "fails" in one else str(one))
+                if "fails" in one and not found[1:]:
+                    low, high = one["fails"] - 0.03, one["completes"] + 0.03
+            row(height, name, *found)
+
+
+def engines():
+    """The reduced engine against ODE, both at 0.5 ms, at one instant."""
+    global engine
+    if engine != "reduced":
+        return print("stands with the reduced engine")
+    heading("project, ground", "controller", "slip ODE, reduced [m]", "apart [%]", "energy apart [%]",
+            "largest difference of a mean wheel load [%]", "way apart [mm]")
+    for project, scenario, controller in (("solero", "rough-profile", "speed"), ("solero", "rough-profile", "equal-torque"),
+                                          ("solero", "sinus", "speed"), ("shrimp", "rough-profile", "speed"),
+                                          ("bench_rover", "rough-profile", "speed"),
+                                          ("rocker_bogie", "rough-profile", "speed")):
+        reports = []
+        for engine in ENGINES:
+            reports.append(run(project, scenario, controller, "--dt", "0.0005", "--duration", "20", "--distance", "100"))
+        one, other = reports
+        loads = [(a["mean_normal_force_N"], b["mean_normal_force_N"]) for a, b in zip(one["wheels"], other["wheels"])]
+        row(f"{project}, {scenario}", controller, f"{one['slip_abs_m']:.4f}, {other['slip_abs_m']:.4f}",
+            f"{100 * abs(other['slip_abs_m'] / one['slip_abs_m'] - 1):.1f}",
+            f"{100 * abs(other['energy_J'] / one['energy_J'] - 1):.1f}",
+            f"{max(100 * abs(b / a - 1) for a, b in loads):.2f}",
+            f"{1000 * abs(other['distance_m'] - one['distance_m']):.1f}")
+
+
 TABLES = {"scenarios": scenarios, "grounds": grounds, "violation": violation, "step-length": step_length,
-          "convergence": convergence, "critical-friction": critical_friction, "joints": joints}
+          "convergence": convergence, "critical-friction": critical_friction, "joints": joints,
+          "reference": reference, "reference-friction": reference_friction, "engines": engines}
 
 
 def main():

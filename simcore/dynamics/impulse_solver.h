@@ -122,7 +122,7 @@ class ImpulseSolver {
                         ImpulseCounters& counters);
     bool withinLimits(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
                       ImpulseCounters& counters);
-    void noteResidual(const ImpulseProblem& problem, ImpulseCounters& counters) const;
+    static double residualOf(const ImpulseProblem& problem);
     bool gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u);
     void sweep(ImpulseProblem& problem, double* impulses) const;
 

@@ -16,8 +16,8 @@ using mechanism::FreedomKind;
 
 /// Pivots below this share of the first one are no rank.
 constexpr double kRank = 1e-8;
-/// A better choice of dependent rates is looked for when the pivots get this far apart: a small error
-/// of an independent coordinate is that much larger in a dependent one (assumed).
+/// A better choice of dependent rates is looked for when the pivots get this far apart: a small
+/// error of an independent coordinate is that much larger in a dependent one (assumed).
 constexpr double kPoorChoice = 0.1;
 /// Below this share the pose counts as singular: what is divided by such pivots is noise.
 constexpr double kSingular = 1e-7;
@@ -46,8 +46,7 @@ LoopClosures::LoopClosures(const mechanism::Mechanism& mechanism, const Spanning
       tree_(tree),
       length_(mechanism.wheelbase()),
       spans_(static_cast<std::size_t>(tree.rateCount())),
-      change_(static_cast<std::size_t>(tree.rateCount()), 0.0),
-      corrections_(change_) {
+      change_(static_cast<std::size_t>(tree.rateCount()), 0.0) {
     makeClusters(model);
 }
 
@@ -363,15 +362,11 @@ void LoopClosures::reset(TreeState& state, TreeMotion& motion) {
 
 bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
     motion.place(state);
-    std::fill(corrections_.begin(), corrections_.end(), 0.0);
     bool chosen = false;
     bool closed = false;
     for (int correction = 0; !closed && correction <= kMaxCorrections; ++correction) {
         if (correction > 0) {
             advance(tree_, state, change_);
-            for (std::size_t i = 0; i < change_.size(); ++i) {
-                corrections_[i] += change_[i];
-            }
             motion.place(state);
         }
         closed = true;
@@ -684,6 +679,15 @@ void LoopClosures::restore(std::span<const double>& numbers) {
         }
     }
     number();
+}
+
+std::vector<bool> determinedJoints(const mechanism::Mechanism& mechanism, mechanism::Model model) {
+    const SpanningTree tree(mechanism, model);
+    TreeMotion motion(mechanism, tree);
+    LoopClosures loops(mechanism, tree, model);
+    TreeState state = tree.drawnState();
+    loops.reset(state, motion);
+    return loops.determinedJoints(motion);
 }
 
 }  // namespace simcore::dynamics

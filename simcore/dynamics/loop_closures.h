@@ -42,9 +42,6 @@ class LoopClosures {
     /// closed last: change of a rate over the largest of its loop, where that is not next to rest.
     double turnOf(std::span<const double> rates) const;
 
-    /// By how much the last close() moved every coordinate [rad] or [m]; balls by a turn vector.
-    std::span<const double> corrections() const { return corrections_; }
-
     /// Of the pivots that the last close() divided by, the smallest over the largest of its loop;
     /// the least of all loops. Near 0 the pose is a singular one.
     double pivotRatio() const { return pivotRatio_; }
@@ -66,6 +63,13 @@ class LoopClosures {
     std::span<const RateTerm> terms(int rate) const {
         const Span& at = spans_[static_cast<std::size_t>(rate)];
         return {terms_.data() + at.first, terms_.data() + at.end};
+    }
+
+    /// The terms of all rates, one after the other, and where those of one begin.
+    const std::vector<RateTerm>& allTerms() const { return terms_; }
+
+    std::size_t firstTerm(int rate) const {
+        return static_cast<std::size_t>(spans_[static_cast<std::size_t>(rate)].first);
     }
 
     /// Counts choices: patterns of matrices made for an older one are no longer right.
@@ -168,7 +172,6 @@ class LoopClosures {
     std::vector<Span> spans_;
     std::vector<RateTerm> terms_;
     std::vector<double> change_;
-    std::vector<double> corrections_;
     int choice_ = 0;
     double gap_ = 0.0;
     double pivotRatio_ = 1.0;
@@ -177,5 +180,8 @@ class LoopClosures {
     mutable std::vector<Vec6> rowWrenches_;
     mutable std::vector<double> rowGaps_;
 };
+
+/// LoopClosures::determinedJoints() at the drawn pose.
+std::vector<bool> determinedJoints(const mechanism::Mechanism& mechanism, mechanism::Model model);
 
 }  // namespace simcore::dynamics

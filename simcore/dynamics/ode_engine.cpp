@@ -6,6 +6,7 @@
 
 #include "simcore/dynamics/engine.h"
 #include "simcore/dynamics/friction_bounds.h"
+#include "simcore/dynamics/loop_closures.h"
 #include "simcore/dynamics/ode_joints.h"
 #include "simcore/dynamics/ode_world.h"
 
@@ -79,12 +80,14 @@ class OdeEngine final : public Engine {
     std::vector<Vec3> contactForces_;
     std::vector<Vec3> contactVelocities_;
     std::vector<JointReaction> jointReactions_;
+    const std::vector<bool> determined_;  ///< of every joint, at the drawn pose
     EngineCounters counters_;
 };
 
 OdeEngine::OdeEngine(const mechanism::Mechanism& mechanism, const EngineSettings& settings)
     : mechanism_(mechanism),
-      settings_(settings) {
+      settings_(settings),
+      determined_(determinedJoints(mechanism, settings.joints)) {
     if (const Problems problems = whyOdeCannotRun(mechanism); !problems.empty()) {
         throw std::invalid_argument(toString(problems));
     }
@@ -297,6 +300,9 @@ void OdeEngine::step(const StepInput& input) {
     }
     bounds_.end(input.contacts, contactForces_);
     joints_->readReactions(world, jointReactions_);
+    for (std::size_t i = 0; i < jointReactions_.size(); ++i) {
+        jointReactions_[i].determined = determined_[i];
+    }
     readState();
     updatePoses();
     ++counters_.steps;

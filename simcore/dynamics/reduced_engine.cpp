@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "simcore/dynamics/contact_memory.h"
@@ -31,6 +32,8 @@ constexpr double kMotorDamping = 1e6;  // [N m s/rad]
 constexpr double kStiffSpring = 0.5;
 /// Agreement asked of contact forces [N].
 constexpr double kForceTolerance = 1e-3;
+/// From this turn of a loop's motion in a step on, what projection costs is given back.
+constexpr double kTurnThatCosts = 1e-3;
 /// A step is divided when the motion of a loop turns by more than this share in it, as it does next
 /// to singular poses; at most so often.
 constexpr double kFastTurn = 0.05;
@@ -127,6 +130,9 @@ class ReducedEngine final : public Engine {
     void makeStops();
     void makeMotors(const StepInput& input);
     void conserveMomentum();
+    void keepLoopEnergy();
+    void inertiaTimes(const std::vector<double>& rates);
+    void projectForces(Eigen::VectorXd& momentum) const;
     void takeMomentum();
     void updateVelocities();
 
@@ -138,7 +144,9 @@ class ReducedEngine final : public Engine {
     std::vector<Elastic> elastics_;
     std::vector<Turner> turners_;  ///< of every joint
     std::vector<Float> floats_;
-    TreeState state_;            ///< its rates: those of the last step's way, corrections included
+    TreeState state_;
+    std::vector<RateTerm> termsOfRates_;  ///< of the pose that its rates were solved at
+    int choiceOfRates_ = -1;
     double dt_ = 0.0;            ///< of the step, or of the part of it that is being made
     std::vector<Vec6> momenta_;  ///< of what floats, about momentaPoints_
     std::vector<Vec3> momentaPoints_;
@@ -158,6 +166,10 @@ class ReducedEngine final : public Engine {
     std::vector<Vec6> wrenches_;  ///< on the tree's bodies from outside, gravity not included
     std::vector<double> forces_;
     std::vector<double> accelerations_;
+    std::vector<double> resting_;  ///< no rates
+    std::vector<Vec6> noWrenches_;
+    Eigen::VectorXd along_;
+    RowMajor factored_;
     std::vector<double> change_;
     std::vector<std::size_t> places_;  ///< of independent rates in a wheel's map
     Eigen::VectorXd u_;
@@ -168,6 +180,8 @@ class ReducedEngine final : public Engine {
     // The last step, or the last part of it, for its reactions.
     TreeState before_;
     std::vector<Vec6> screwsBefore_;
+    std::vector<RateTerm> termsBefore_;
+    int choiceBefore_ = -1;
     std::vector<Vec6> momentaBefore_;
     std::vector<Vec3> pointsBefore_;
     double energyLost_ = 0.0;     ///< by projection, in the passage of a singular pose [J]
@@ -238,6 +252,8 @@ ReducedEngine::ReducedEngine(const mechanism::Mechanism& mechanism, const Engine
     twists_.assign(bodies, Vec6::Zero());
     forces_.assign(rates, 0.0);
     accelerations_.assign(rates, 0.0);
+    resting_.assign(rates, 0.0);
+    noWrenches_.assign(bodies, Vec6::Zero());
     change_.assign(rates, 0.0);
     rows_.resize(4 * mechanism_.joints.size());
     rowJoints_.reserve(rows_.size());
@@ -257,6 +273,7 @@ void ReducedEngine::reset() {
     state_ = tree_.drawnState();
     loops_.reset(state_, motion_);
     firstChoice_ = loops_.choice();
+    choiceOfRates_ = -1;
     momenta_.assign(floats_.size(), Vec6::Zero());
     momentaPoints_.assign(floats_.size(), Vec3::Zero());
     memory_.clear();
@@ -483,6 +500,7 @@ void ReducedEngine::makeMass() {
             problem_.momentum[term.index] -= dt * term.factor * forces_[j];
         }
     }
+    keepLoopEnergy();
     for (const Elastic& elastic : elastics_) {
         toIndependent(elastic.between, elastic.wrench, indices_, factors_);
         for (std::size_t i = 0; i < indices_.size(); ++i) {
@@ -490,6 +508,59 @@ void ReducedEngine::makeMass() {
                 problem_.mass(indices_[i], indices_[j]) +=
                     dt * elastic.resisted * factors_[i] * factors_[j];
             }
+        }
+    }
+}
+
+/// H q' into forces_.
+void ReducedEngine::inertiaTimes(const std::vector<double>& rates) {
+    // As the force of that acceleration from rest without weight.
+    motion_.inverseDynamics(resting_, rates, 0.0, noWrenches_, forces_);
+}
+
+/// P^T times forces_.
+void ReducedEngine::projectForces(Eigen::VectorXd& momentum) const {
+    momentum.setZero(loops_.independentCount());
+    for (std::size_t j = 0; j < forces_.size(); ++j) {
+        for (const RateTerm& term : loops_.terms(static_cast<int>(j))) {
+            momentum[term.index] += term.factor * forces_[j];
+        }
+    }
+}
+
+// Rates q' = P u of the last pose, projected by P'^T H onto the motion P' u' of this one, lose the
+// energy of their part across it, as if the loops turned in little impacts. To third order in the
+// step that part is given back by projecting with the mean of P and P' instead, that is by adding
+// (P' - P)^T H d / 2 with d the part of (P' - P) u across the new motion.
+void ReducedEngine::keepLoopEnergy() {
+    if (choiceOfRates_ != loops_.choice() || loops_.turnOf(state_.rates) < kTurnThatCosts) {
+        return;
+    }
+    std::vector<double>& across = accelerations_;
+    for (std::size_t j = 0; j < across.size(); ++j) {
+        across[j] = -state_.rates[j];
+        for (const RateTerm& term : loops_.terms(static_cast<int>(j))) {
+            across[j] +=
+                term.factor * state_.rates[static_cast<std::size_t>(loops_.rateOf(term.index))];
+        }
+    }
+    inertiaTimes(across);
+    projectForces(along_);
+    factored_ = problem_.mass;
+    lu_.factor(factored_);
+    lu_.solve(factored_, along_);
+    for (std::size_t j = 0; j < across.size(); ++j) {
+        for (const RateTerm& term : loops_.terms(static_cast<int>(j))) {
+            across[j] -= term.factor * along_[term.index];
+        }
+    }
+    inertiaTimes(across);
+    for (std::size_t j = 0; j < forces_.size(); ++j) {
+        const std::size_t first = loops_.firstTerm(static_cast<int>(j));
+        const std::span<const RateTerm> terms = loops_.terms(static_cast<int>(j));
+        for (std::size_t k = 0; k < terms.size(); ++k) {
+            problem_.momentum[terms[k].index] +=
+                0.5 * (terms[k].factor - termsOfRates_[first + k].factor) * forces_[j];
         }
     }
 }
@@ -643,6 +714,8 @@ void ReducedEngine::cover(const StepInput& input, double dt, int divisions) {
     solve(input);
     if (motion() > kFastTurn && divisions < kMostDivisions) {
         state_ = before_;
+        termsOfRates_ = termsBefore_;
+        choiceOfRates_ = choiceBefore_;
         momenta_ = momentaBefore_;
         momentaPoints_ = pointsBefore_;
         loops_.close(state_, motion_);
@@ -679,6 +752,10 @@ void ReducedEngine::solve(const StepInput& input) {
 /// Moves everything with them. By how much the loops' motion turned on the way.
 double ReducedEngine::motion() {
     before_ = state_;
+    termsBefore_ = termsOfRates_;
+    choiceBefore_ = choiceOfRates_;
+    termsOfRates_ = loops_.allTerms();
+    choiceOfRates_ = loops_.choice();
     momentaBefore_ = momenta_;
     pointsBefore_ = momentaPoints_;
     for (std::size_t j = 0; j < state_.rates.size(); ++j) {
@@ -721,11 +798,6 @@ void ReducedEngine::commit() {
     for (std::size_t k = 0; k < problem_.rows.size(); ++k) {
         jointPushes_[static_cast<std::size_t>(rowJoints_[k])] +=
             problem_.rows[k].impulse / dt_ * rowWrenches_[k];
-    }
-    // The rates of the way that was made, which the next step's momentum comes from: along a loop
-    // that turns, those at its start alone would lose energy.
-    for (std::size_t j = 0; j < state_.rates.size(); ++j) {
-        state_.rates[j] += loops_.corrections()[j] / dt_;
     }
     if (!closed_) {
         trouble_ = loops_.brokenLoop() + " cannot be closed";
@@ -773,27 +845,13 @@ void ReducedEngine::watchEnergy() {
 
 /// Energy of the rates at the present pose, or of what the loops leave of them [J].
 double ReducedEngine::kinetic(bool projected) {
-    const auto momentumOf = [this](const std::vector<double>& rates) {
-        // Inertia times rates, as the force of that acceleration from rest without weight.
-        std::fill(change_.begin(), change_.end(), 0.0);
-        std::vector<Vec6> none(wrenches_.size(), Vec6::Zero());
-        motion_.inverseDynamics(change_, rates, 0.0, none, forces_);
-    };
-    momentumOf(state_.rates);
-    double energy = 0.0;
+    inertiaTimes(state_.rates);
     if (!projected) {
-        for (std::size_t j = 0; j < forces_.size(); ++j) {
-            energy += 0.5 * forces_[j] * state_.rates[j];
-        }
-        return energy;
+        return 0.5 * std::inner_product(forces_.begin(), forces_.end(), state_.rates.begin(), 0.0);
     }
     assembleMass();
-    Eigen::VectorXd momentum = Eigen::VectorXd::Zero(loops_.independentCount());
-    for (std::size_t j = 0; j < forces_.size(); ++j) {
-        for (const RateTerm& term : loops_.terms(static_cast<int>(j))) {
-            momentum[term.index] += term.factor * forces_[j];
-        }
-    }
+    Eigen::VectorXd momentum;
+    projectForces(momentum);
     Eigen::VectorXd rates = momentum;
     lu_.factor(problem_.mass);
     lu_.solve(problem_.mass, rates);
@@ -871,6 +929,11 @@ void ReducedEngine::writeState(std::vector<double>& numbers) const {
             numbers.insert(numbers.end(), v.begin(), v.end());
         }
     }
+    const bool sameChoice = choiceOfRates_ == loops_.choice();
+    numbers.push_back(sameChoice ? static_cast<double>(termsOfRates_.size()) : 0.0);
+    for (std::size_t k = 0; sameChoice && k < termsOfRates_.size(); ++k) {
+        numbers.push_back(termsOfRates_[k].factor);
+    }
     loops_.save(numbers);
     memory_.save(numbers);
 }
@@ -879,7 +942,8 @@ void ReducedEngine::restoreState(std::span<const double> numbers) {
     const std::size_t n = state_.rates.size();
     const std::size_t first = 2 * n + 4 * state_.balls.size();
     const std::size_t own = first + 9 * momenta_.size() + 6 * velocities_.size();
-    if (numbers.size() < own) {
+    if (numbers.size() < own + 1 ||
+        numbers.size() < own + 1 + static_cast<std::size_t>(numbers[own])) {
         throw std::invalid_argument("the state belongs to another mechanism");
     }
     std::copy_n(numbers.begin(), n, state_.coordinates.begin());
@@ -898,10 +962,17 @@ void ReducedEngine::restoreState(std::span<const double> numbers) {
         velocity = {Vec3(six), Vec3(six + 3)};
         six += 6;
     }
-    std::span<const double> rest = numbers.subspan(own);
+    const std::span<const double> factors =
+        numbers.subspan(own + 1, static_cast<std::size_t>(numbers[own]));
+    std::span<const double> rest = numbers.subspan(own + 1 + factors.size());
     loops_.restore(rest);
     memory_.restore(rest);
     loops_.close(state_, motion_);
+    termsOfRates_ = loops_.allTerms();
+    choiceOfRates_ = factors.size() == termsOfRates_.size() ? loops_.choice() : -1;
+    for (std::size_t k = 0; choiceOfRates_ >= 0 && k < factors.size(); ++k) {
+        termsOfRates_[k].factor = factors[k];
+    }
     reactionsKnown_ = true;
     reactions_.clear();
 }

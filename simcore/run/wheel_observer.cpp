@@ -160,9 +160,9 @@ void FrictionMeter::observe(std::span<const contact::Contact> contacts,
     // normals.
     constexpr double kSameFace = 0.95;  // cosine
     constexpr double kSlack = 0.2;      // [N]
-    std::vector<bool> used(contacts.size(), false);
+    used_.assign(contacts.size(), false);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-        if (used[i]) {
+        if (used_[i]) {
             continue;
         }
         double load = 0.0;
@@ -170,11 +170,11 @@ void FrictionMeter::observe(std::span<const contact::Contact> contacts,
         Vec3 tangential = Vec3::Zero();
         for (std::size_t k = i; k < contacts.size(); ++k) {
             const Vec3& normal = contacts[k].normal;
-            if (used[k] || !onSamePart(contacts[k], contacts[i]) ||
+            if (used_[k] || !onSamePart(contacts[k], contacts[i]) ||
                 normal.dot(contacts[i].normal) < kSameFace) {
                 continue;
             }
-            used[k] = true;
+            used_[k] = true;
             const double n = forces[k].dot(normal);
             load += n;
             limit += frictions[k] * n;

@@ -77,6 +77,7 @@ class FrictionMeter {
     bool started_ = false;
     Count certain_;  ///< up to the last obstacle contact so far
     Count pending_;  ///< since then
+    std::vector<bool> used_;
 };
 
 }  // namespace simcore::run

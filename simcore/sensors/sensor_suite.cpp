@@ -69,8 +69,8 @@ void SensorSuite::reset() {
     }
 }
 
-control::Sensors SensorSuite::truth(const dynamics::Engine& engine, const run::Snapshot& now) {
-    control::Sensors truth;
+void SensorSuite::look(const dynamics::Engine& engine, const run::Snapshot& now,
+                       control::Sensors& truth) {
     const auto chassis = static_cast<std::size_t>(mechanism_.chassis);
     const Pose& X_WC = engine.poses()[chassis];
     const dynamics::BodyVelocity& velocity = engine.velocities()[chassis];
@@ -86,20 +86,21 @@ control::Sensors SensorSuite::truth(const dynamics::Engine& engine, const run::S
     lastVelocity_ = velocity.linear;
     lastLook_ = now.time;
     truth.imu.acceleration = R_CW * (acceleration + dynamics::kGravity * Vec3::UnitZ());
+    truth.joints.clear();
     for (const run::JointState& joint : now.joints) {
         truth.joints.push_back(joint.angle);
     }
+    truth.wheels.clear();
     for (std::size_t i = 0; i < mechanism_.wheels.size(); ++i) {
         truth.wheels.push_back(
             {dynamics::wheelRate(mechanism_.wheels[i], engine.poses(), engine.velocities()),
              now.wheels[i].normalForce, now.wheels[i].contactAngle});
     }
-    return truth;
 }
 
 void SensorSuite::read(const dynamics::Engine& engine, const run::Snapshot& now,
                        control::Sensors& readings) {
-    readings = truth(engine, now);
+    look(engine, now, readings);
     readings.bodySpeed = bodySpeed_.read(now.time, readings.bodySpeed);
     readings.imu.roll = roll_.read(now.time, readings.imu.roll);
     readings.imu.pitch = pitch_.read(now.time, readings.imu.pitch);

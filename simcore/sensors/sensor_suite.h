@@ -24,7 +24,7 @@ class SensorSuite {
     void read(const dynamics::Engine& engine, const run::Snapshot& now, control::Sensors& readings);
 
   private:
-    control::Sensors truth(const dynamics::Engine& engine, const run::Snapshot& now);
+    void look(const dynamics::Engine& engine, const run::Snapshot& now, control::Sensors& truth);
     SensorLine line(const project::SensorErrorValues& error, const std::string& name) const;
 
     struct WheelLines {

@@ -302,8 +302,8 @@ void Terrain::indexHeights() {
             for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
                 const auto triangle =
                     static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]);
-                const double top = highestOver(mesh_, mesh_.triangles[triangle],
-                                               normals_[triangle], middle, reach);
+                const double top = highestOver(mesh_, mesh_.triangles[triangle], normals_[triangle],
+                                               middle, reach);
                 cellHighest_[cell] = std::max(cellHighest_[cell], roundedUp(top));
             }
         }

@@ -1,7 +1,6 @@
-// The 3.5 m run over the rough profile with the speed controller, as `roversim run` drives it:
-// time per engine step and simulated over wall time (rtf). One run a rover: its thousands of steps
-// give the median. Goal: live playback, rtf > 1; 5 to 6 is what ODE can do (trial with bounds of
-// friction taken from the step before).
+// The 3.5 m run over rough ground with the speed controller, as `roversim run` drives it: time per
+// step and simulated over wall time (rtf). One run a rover: its thousands of steps give the median.
+// Goals: ODE in live playback, rtf > 1; the reduced engine at rtf > 100.
 #include <benchmark/benchmark.h>
 
 #include "simcore/io/project_file.h"
@@ -12,14 +11,16 @@ using namespace simcore;
 
 namespace {
 
-void driveRoughProfile(benchmark::State& state, const char* file) {
+void drive(benchmark::State& state, const char* file, const char* scenario,
+           project::EngineKind engine) {
     const auto project = io::loadProject(std::string(ROVER_SOURCE_DIR "/assets/projects/") + file);
     if (!project) {
         state.SkipWithError(toString(project.problems()).c_str());
         return;
     }
     run::RunRequest request;
-    request.scenario = "rough-profile";
+    request.scenario = scenario;
+    request.engine = engine;
     request.controller = project::ControllerKind::Speed;
     auto prepared = run::prepareRun(*project, request);
     if (!prepared) {
@@ -46,15 +47,23 @@ void driveRoughProfile(benchmark::State& state, const char* file) {
     state.counters["solves_per_step"] = report.solvesPerStep;
 }
 
+void once(benchmark::internal::Benchmark* benchmark) {
+    benchmark->Unit(benchmark::kSecond)->Iterations(1)->Repetitions(1);
+}
+
+using enum project::EngineKind;
+
 }  // namespace
 
-BENCHMARK_CAPTURE(driveRoughProfile, solero, "solero.rover")
-    ->Unit(benchmark::kSecond)
-    ->Iterations(1)
-    ->Repetitions(1);
-BENCHMARK_CAPTURE(driveRoughProfile, bench_rover, "bench_rover.rover")
-    ->Unit(benchmark::kSecond)
-    ->Iterations(1)
-    ->Repetitions(1);
+BENCHMARK_CAPTURE(drive, solero_rough_profile_reduced, "solero.rover", "rough-profile", Reduced)
+    ->Apply(once);
+BENCHMARK_CAPTURE(drive, solero_rough_3d_reduced, "solero.rover", "rough-3d", Reduced)->Apply(once);
+BENCHMARK_CAPTURE(drive, solero_rough_profile_ode, "solero.rover", "rough-profile", Ode)
+    ->Apply(once);
+BENCHMARK_CAPTURE(drive, bench_rover_rough_profile_reduced, "bench_rover.rover", "rough-profile",
+                  Reduced)
+    ->Apply(once);
+BENCHMARK_CAPTURE(drive, bench_rover_rough_profile_ode, "bench_rover.rover", "rough-profile", Ode)
+    ->Apply(once);
 
 BENCHMARK_MAIN();

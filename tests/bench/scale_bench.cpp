@@ -1,6 +1,7 @@
-// Time of an engine step against the number of bodies and of wheels, on synthetic rovers over the
-// rough profile: everything a run does in a step, with the speed controller. us_median is the time
-// of one step, us_each that time shared among the bodies.
+// Time of a step against the number of bodies, of wheels and against the step, on synthetic rovers
+// over the rough profile, with both engines: everything a run does in a step, with the speed
+// controller. us_median is the time of one step, us_each that time shared among the bodies, rtf
+// simulated over wall time. docs/plot-cost.py draws the numbers.
 #include <string>
 
 #include <benchmark/benchmark.h>
@@ -81,10 +82,12 @@ project::Project makeRover(int axles, int links) {
     return project;
 }
 
-void drive(benchmark::State& state, int axles, int links) {
+void drive(benchmark::State& state, project::EngineKind engine, int axles, int links, double step) {
     run::RunRequest request;
     request.scenario = "rough";
     request.duration = 4.0;
+    request.engine = engine;
+    request.step = step;
     auto prepared = run::prepareRun(makeRover(axles, links), request);
     if (!prepared) {
         state.SkipWithError(toString(prepared.problems()).c_str());
@@ -108,37 +111,66 @@ void drive(benchmark::State& state, int axles, int links) {
     const double median = 1e6 * steps.quantile(0.5);
     state.counters["bodies"] = bodies;
     state.counters["wheels"] = wheels;
+    state.counters["step_ms"] = 1e3 * step;
     state.counters["us_median"] = median;
     state.counters["us_p99"] = 1e6 * steps.quantile(0.99);
     state.counters["us_each"] = median / bodies;
+    state.counters["rtf"] = 1e6 * step / median;
 }
 
+constexpr double kStep = 0.002;
+constexpr int kAxles = 3;
+
+template <project::EngineKind engine>
 void stepAgainstWheels(benchmark::State& state) {
-    drive(state, static_cast<int>(state.range(0)) / 2, 0);
+    drive(state, engine, static_cast<int>(state.range(0)) / 2, 0, kStep);
 }
 
+template <project::EngineKind engine>
 void stepAgainstBodies(benchmark::State& state) {
-    constexpr int kAxles = 3;
-    drive(state, kAxles, static_cast<int>(state.range(0)) - 1 - 2 * kAxles);
+    drive(state, engine, kAxles, static_cast<int>(state.range(0)) - 1 - 2 * kAxles, kStep);
 }
+
+/// Of a rover of 20 bodies; the argument is the step [us].
+template <project::EngineKind engine>
+void stepAgainstStep(benchmark::State& state) {
+    constexpr int kBodies = 20;
+    drive(state, engine, kAxles, kBodies - 1 - 2 * kAxles,
+          1e-6 * static_cast<double>(state.range(0)));
+}
+
+void once(benchmark::internal::Benchmark* benchmark) {
+    // One run each: its thousand steps and more give the median.
+    benchmark->Unit(benchmark::kSecond)->Iterations(1)->Repetitions(1);
+}
+
+void wheels(benchmark::internal::Benchmark* benchmark) {
+    once(benchmark->DenseRange(4, 12, 2));
+}
+
+void bodies(benchmark::internal::Benchmark* benchmark) {
+    for (const int count : {10, 20, 30, 40}) {
+        benchmark->Arg(count);
+    }
+    once(benchmark);
+}
+
+void lengths(benchmark::internal::Benchmark* benchmark) {
+    for (const int step : {500, 1000, 2000, 5000, 10000}) {
+        benchmark->Arg(step);
+    }
+    once(benchmark);
+}
+
+using enum project::EngineKind;
 
 }  // namespace
 
-// One run each: its thousand steps and more give the median.
-BENCHMARK(stepAgainstWheels)
-    ->Unit(benchmark::kSecond)
-    ->Iterations(1)
-    ->Repetitions(1)
-    ->DenseRange(4, 12, 2);
-BENCHMARK(stepAgainstBodies)
-    ->Unit(benchmark::kSecond)
-    ->Iterations(1)
-    ->Repetitions(1)
-    ->Arg(7)
-    ->Arg(10)
-    ->Arg(20)
-    ->Arg(30)
-    ->Arg(40)
-    ->Arg(60);
+BENCHMARK(stepAgainstWheels<Reduced>)->Apply(wheels);
+BENCHMARK(stepAgainstWheels<Ode>)->Apply(wheels);
+BENCHMARK(stepAgainstBodies<Reduced>)->Apply(bodies);
+BENCHMARK(stepAgainstBodies<Ode>)->Apply(bodies);
+BENCHMARK(stepAgainstStep<Reduced>)->Apply(lengths);
+BENCHMARK(stepAgainstStep<Ode>)->Apply(lengths);
 
 BENCHMARK_MAIN();

@@ -1,0 +1,116 @@
+// Loops that pass a pose in which all their bars lie in line, or nearly so: joints do no work, so
+// energy must be kept, or the engine must say that it could not.
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "simcore/dynamics/engine.h"
+#include "tests/support/engine_cases.h"
+#include "tests/support/linkages.h"
+
+namespace {
+
+using namespace simcore;
+using namespace testsupport;
+
+constexpr double kStep = 0.002;
+constexpr double kTime = 10.0;
+
+/// A parallelogram of a fixed frame, whose crank starts upright, by how much its coupler is too
+/// long for its frame.
+struct Parallelogram {
+    double longer = 0.0;
+
+    Mechanism make() const {
+        FourBar bars;
+        bars.ground = 0.30;
+        bars.crank = 0.10;
+        bars.follower = 0.10;
+        bars.coupler = 0.30 + longer;
+        return bars.make(std::numbers::pi / 2.0);
+    }
+};
+
+/// Kinetic energy of all bodies that move [J].
+double kineticEnergy(const Mechanism& mechanism, const dynamics::Engine& engine) {
+    double energy = 0.0;
+    for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
+        const mechanism::Body& body = mechanism.bodies[i];
+        const Mat3 turn = engine.poses()[i].rotation.toRotationMatrix();
+        const dynamics::BodyVelocity& v = engine.velocities()[i];
+        energy += body.fixed
+                      ? 0.0
+                      : 0.5 * body.mass * v.linear.squaredNorm() +
+                            0.5 * v.angular.dot(turn * body.inertia * turn.transpose() * v.angular);
+    }
+    return energy;
+}
+
+struct Passage {
+    double energyStart = 0.0;  ///< [J]
+    double energyWorst = 0.0;  ///< furthest from it [J]
+    double turned = 0.0;       ///< by the crank [rad]
+    double gap = 0.0;          ///< of any joint [m]
+    std::string trouble;
+    dynamics::EngineCounters counters;
+};
+
+/// Lets the crank be turned up to 3 rad/s by a motor, then go on by itself without weight.
+Passage spin(const Mechanism& mechanism, double step = kStep) {
+    const auto engine = dynamics::makeReducedEngine(mechanism, {step, 0.0});
+    const dynamics::JointMotor motor{0, 3.0, 100.0};
+    engine->step({{}, {}, {}, {}, {&motor, 1}});
+    engine->step({});
+    Passage passage;
+    passage.energyStart = passage.energyWorst = kineticEnergy(mechanism, *engine);
+    const int steps = static_cast<int>(kTime / step);
+    for (int i = 0; i < steps && passage.trouble.empty(); ++i) {
+        engine->step({});
+        const double energy = kineticEnergy(mechanism, *engine);
+        passage.trouble = engine->trouble();
+        if (!passage.trouble.empty()) {
+            break;
+        }
+        if (std::abs(energy - passage.energyStart) >
+            std::abs(passage.energyWorst - passage.energyStart)) {
+            passage.energyWorst = energy;
+        }
+        passage.turned +=
+            step * dynamics::jointRate(mechanism.joints[0], engine->poses(), engine->velocities());
+        passage.gap = std::max(passage.gap, dynamics::loopError(mechanism, engine->poses()));
+    }
+    passage.counters = engine->counters();
+    return passage;
+}
+
+class ChangePointTest : public ::testing::TestWithParam<double> {};
+
+// By how much the coupler is longer than the frame: equal bars have a change point, others pass
+// next to one, the nearer the faster.
+INSTANTIATE_TEST_SUITE_P(Lengths, ChangePointTest,
+                         ::testing::Values(0.0, 0.0001, 0.001, 0.01, -0.001, -0.01),
+                         [](const auto& param) {
+                             return (param.param < 0.0 ? "Shorter" : "Longer") +
+                                    std::to_string(static_cast<int>(1e6 * std::abs(param.param)));
+                         });
+
+TEST_P(ChangePointTest, KeepsEnergyOrSaysThatItCannot) {
+    const Mechanism mechanism = Parallelogram{GetParam()}.make();
+    const Passage passage = spin(mechanism);
+    EXPECT_LT(passage.gap, 1e-6);
+    EXPECT_NEAR(passage.energyWorst, passage.energyStart, 0.01 * passage.energyStart)
+        << "trouble: " << passage.trouble << ", divided steps: " << passage.counters.dividedSteps
+        << ", pivot ratio " << passage.counters.leastPivotRatio;
+    if (passage.trouble.empty()) {
+        EXPECT_GT(std::abs(passage.turned), 2.0) << "it did not come to the change point";
+    } else {
+        EXPECT_NE(passage.trouble.find("the loop of joints a, b, c, d"), std::string::npos)
+            << passage.trouble;
+    }
+    std::cout << GetParam() << ": energy " << passage.energyWorst / passage.energyStart
+              << " turned " << passage.turned << " gap " << passage.gap << " divided "
+              << passage.counters.dividedSteps << " pivot " << passage.counters.leastPivotRatio
+              << " choices " << passage.counters.choices << " trouble " << passage.trouble << "\n";
+}
+
+}  // namespace
