@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -69,10 +70,10 @@ class MujocoPeer final : public Peer {
               {world.run.step, simcore::dynamics::kGravity, world.run.friction, world.wheel}))) {
         check(*model_, mechanism_, world.tree);
         const double low = world.ground.lowest();
+        const double range = elevation(world.ground);
         std::transform(world.ground.heights.begin(), world.ground.heights.end(),
-                       model_->hfield_data, [&](double height) {
-                           return static_cast<float>((height - low) / elevation(world.ground));
-                       });
+                       model_->hfield_data,
+                       [&](double height) { return static_cast<float>((height - low) / range); });
         data_.reset(mj_makeData(model_.get()));
         for (const auto& body : mechanism_.bodies) {
             bodies_.push_back(mj_name2id(model_.get(), mjOBJ_BODY, body.name.c_str()));
