@@ -1,0 +1,9 @@
+#include "tests/bench/peers/peer.h"
+
+namespace peers {
+
+PeerMaker mujocoMaker() {
+    return {};
+}
+
+}  // namespace peers
