@@ -175,7 +175,7 @@ def reference_friction():
     project = json.loads((ROOT / "assets/projects/solero.rover").read_text())
     step = next(one for one in project["scenarios"] if one["name"] == "step")
     step.setdefault("controller", {})["speed"] = -0.1
-    step["terrain"] = {"kind": "step", "start": -2.2, "height": 0.1, "length": 1.2}
+    step["terrain"] = {"kind": "step", "start": -2.0, "height": 0.1, "length": 1.0}
     with tempfile.TemporaryDirectory() as folder:
         backwards = pathlib.Path(folder) / "backwards.rover"
         backwards.write_text(json.dumps(project))

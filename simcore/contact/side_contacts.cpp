@@ -64,6 +64,12 @@ double distanceToOrigin(const std::array<Vector2d, 3>& triangle) {
 
 }  // namespace
 
+SideContactFinder::SideContactFinder() {
+    constexpr std::size_t kRoom = 256;
+    facets_.reserve(kRoom);
+    contacts_.reserve(8);
+}
+
 const std::vector<SideContact>& SideContactFinder::find(const terrain::Terrain& terrain,
                                                         const Cylinder& wheel, double margin) {
     contacts_.clear();

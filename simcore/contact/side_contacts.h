@@ -29,6 +29,8 @@ struct Cylinder {
 /// along the axle, within 45 deg, are a side's; others meet the rim first. Keeps its work space.
 class SideContactFinder {
   public:
+    SideContactFinder();
+
     /// Contacts deeper than -margin, the deepest of each quarter of each side. Left out is what the
     /// wheel leaves on a shorter way by its rim, as the edge of a ledge that it stands on, and what
     /// is deeper than 5 mm or beyond the wheel's middle: a wheel is not thrown out of a wall that

@@ -51,6 +51,12 @@ bool deeper(const SliceContact& a, const SliceContact& b) {
 
 }  // namespace
 
+SliceContactFinder::SliceContactFinder() {
+    constexpr std::size_t kRoom = 64;
+    contacts_.reserve(kRoom);
+    kept_.reserve(kRoom);
+}
+
 const std::vector<SliceContact>& SliceContactFinder::find(std::vector<SliceSegment>& segments,
                                                           const SlicePlane& plane, double radius,
                                                           double margin) {

@@ -22,6 +22,8 @@ inline constexpr std::size_t kMostPerSlice = 4;
 /// corners between them. Keeps its work space, so that nothing is allocated once it has grown.
 class SliceContactFinder {
   public:
+    SliceContactFinder();
+
     /// Contacts deeper than -margin, in order along the plane's u. Drops segments too short to
     /// matter.
     const std::vector<SliceContact>& find(std::vector<terrain::SliceSegment>& segments,

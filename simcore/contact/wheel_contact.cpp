@@ -46,6 +46,15 @@ WheelContactFinder::WheelContactFinder(const mechanism::Mechanism& mechanism,
         discs_.push_back(discsOf(wheel));
         segments_.resize(std::max(segments_.size(), discs_.back().offsets.size()));
     }
+    // More than any usual ground asks for, so that a drive takes nothing more from the heap.
+    constexpr std::size_t kRoom = 256;
+    for (std::vector<terrain::SliceSegment>& segments : segments_) {
+        segments.reserve(kRoom);
+    }
+    for (std::vector<Contact>* contacts : {&contacts_, &kept_}) {
+        contacts->reserve(kRoom);
+    }
+    buried_.reserve(static_cast<std::size_t>(std::max(0, slices)));
 }
 
 WheelContactFinder::Discs WheelContactFinder::discsOf(const mechanism::Wheel& wheel) const {

@@ -26,6 +26,8 @@ class ContactMemory {
 
     void clear() { memory_.clear(); }
 
+    void reserve(std::size_t contacts) { memory_.reserve(contacts); }
+
     void save(std::vector<double>& numbers) const;
     /// @throws std::invalid_argument when these are not whole contacts
     void restore(std::span<const double> numbers);

@@ -206,6 +206,16 @@ bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Eigen
     return false;
 }
 
+void ImpulseSolver::reserve(std::size_t contacts, std::size_t rows, std::size_t rates) {
+    laws_.reserve(contacts);
+    limits_.reserve(rows);
+    firstImpulses_.reserve(contacts);
+    // Of gradients(): the largest problems seen have a quarter of this many contacts.
+    const std::size_t m = 3 * contacts / 4 + rows;
+    room_.reserve(2 * m * rates + m * m + 5 * m);
+    free_.reserve(m);
+}
+
 bool ImpulseSolver::newtonInStages(ImpulseProblem& problem, const PatternedLu& lu,
                                    Eigen::VectorXd& u, ImpulseCounters& counters) {
     const double creep = problem.tangentialCompliance;

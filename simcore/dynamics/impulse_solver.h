@@ -111,6 +111,9 @@ struct ImpulseCounters {
 
 class ImpulseSolver {
   public:
+    /// Room for problems of this size, so that they take none from the heap.
+    void reserve(std::size_t contacts, std::size_t rows, std::size_t rates);
+
     /// Solves for u, which comes with a guess, and for the impulses.
     void solve(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
                ImpulseCounters& counters);

@@ -19,12 +19,17 @@ constexpr double kRank = 1e-8;
 /// A better choice of dependent rates is looked for when the pivots get this far apart: a small
 /// error of an independent coordinate is that much larger in a dependent one (assumed).
 constexpr double kPoorChoice = 0.1;
+/// It is looked for again when they got further apart by this factor.
+constexpr double kMuchBetter = 0.5;
 /// Below this share the pose counts as singular: what is divided by such pivots is noise.
 constexpr double kSingular = 1e-7;
 /// Gaps that are left [rad, or wheelbases].
 constexpr double kClosed = 1e-11;
-/// Gap of a redundant row that rounding does not explain.
-constexpr double kOpen = 1e-8;
+/// Gap of a redundant row that inexact drawing does not explain, and the least pivot that such a
+/// row is then asked for: off a singular pose by an angle, gaps are of its square, pivots of
+/// itself.
+constexpr double kOpen = 1e-6;
+constexpr double kNewRank = 1e-5;
 constexpr int kMaxCorrections = 12;
 
 /// The turn that a rotation makes, as a vector [rad].
@@ -237,7 +242,7 @@ void LoopClosures::evaluate(Cluster& cluster, const TreeMotion& motion) const {
     }
 }
 
-bool LoopClosures::choose(Cluster& cluster, std::size_t leastRank) const {
+bool LoopClosures::choose(Cluster& cluster, RankRange ranks, double leastPivot) const {
     Eigen::MatrixXd rest = cluster.jacobian;
     std::vector<int> rows(static_cast<std::size_t>(rest.rows()));
     std::vector<int> columns(static_cast<std::size_t>(rest.cols()));
@@ -245,7 +250,9 @@ bool LoopClosures::choose(Cluster& cluster, std::size_t leastRank) const {
     std::iota(columns.begin(), columns.end(), 0);
     int rank = 0;
     double first = 0.0;
-    const auto size = static_cast<int>(std::min(rest.rows(), rest.cols()));
+    const auto size =
+        static_cast<int>(std::min({static_cast<std::size_t>(rest.rows()),
+                                   static_cast<std::size_t>(rest.cols()), ranks.most}));
     while (rank < size) {
         int row = 0;
         int column = 0;
@@ -253,7 +260,7 @@ bool LoopClosures::choose(Cluster& cluster, std::size_t leastRank) const {
                                  .cwiseAbs()
                                  .maxCoeff(&row, &column);
         first = rank == 0 ? pivot : first;
-        if (pivot <= kRank * first || pivot == 0.0) {
+        if (pivot <= leastPivot * first || pivot == 0.0) {
             break;
         }
         row += rank;
@@ -270,13 +277,14 @@ bool LoopClosures::choose(Cluster& cluster, std::size_t leastRank) const {
         }
         ++rank;
     }
-    if (static_cast<std::size_t>(rank) < leastRank ||
-        (static_cast<std::size_t>(rank) == cluster.dependent.size() &&
-         std::is_permutation(columns.begin(), columns.begin() + rank, cluster.dependent.begin()) &&
-         std::is_permutation(rows.begin(), rows.begin() + rank, cluster.used.begin()))) {
+    if (static_cast<std::size_t>(rank) < ranks.least) {
         return false;
     }
     cluster.used.assign(rows.begin(), rows.begin() + rank);
+    if (static_cast<std::size_t>(rank) == cluster.dependent.size() &&
+        std::is_permutation(columns.begin(), columns.begin() + rank, cluster.dependent.begin())) {
+        return false;
+    }
     cluster.dependent.assign(columns.begin(), columns.begin() + rank);
     cluster.independent.assign(columns.begin() + rank, columns.end());
     cluster.held.resize(rank, rank);
@@ -348,12 +356,13 @@ void LoopClosures::reset(TreeState& state, TreeMotion& motion) {
             geared.angles[0] = geared.angles[1] = 0.0;
         }
         evaluate(cluster, motion);
+        cluster.triedAt = 1.0;
         cluster.used.clear();
         cluster.dependent.clear();
         cluster.independent.assign(cluster.rates.size(), 0);
         std::iota(cluster.independent.begin(), cluster.independent.end(), 0);
         cluster.solved.setZero(0, cluster.jacobian.cols() + 1);
-        choose(cluster, 0);
+        choose(cluster, {}, kRank);
         cluster.drawnRank = cluster.used.size();
     }
     number();
@@ -382,8 +391,17 @@ bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
                                    [&](int row) { return std::abs(cluster.gaps[row]) < kClosed; });
             };
             const std::size_t rank = cluster.used.size();
-            if ((ratio < kPoorChoice && choose(cluster, rank)) ||
-                (usedRowsClose() && redundantRowOpens(cluster) && choose(cluster, rank + 1))) {
+            if (ratio < kPoorChoice && ratio < kMuchBetter * cluster.triedAt) {
+                cluster.triedAt = ratio;
+                if (choose(cluster, {rank, rank}, kRank)) {
+                    chosen = true;
+                    ratio = eliminate(cluster);
+                }
+            } else if (ratio > kPoorChoice) {
+                cluster.triedAt = 1.0;
+            }
+            if (usedRowsClose() && redundantRowOpens(cluster) &&
+                choose(cluster, {rank + 1}, kNewRank)) {
                 ratio = eliminate(cluster);
                 chosen = true;
             }
@@ -459,6 +477,7 @@ std::string LoopClosures::nameOf(const Cluster& cluster) const {
     for (const Closure& closure : cluster.closures) {
         add(closure.joint);
     }
+    std::sort(joints.begin(), joints.end());
     std::string name = "the loop of joints";
     for (std::size_t i = 0; i < joints.size(); ++i) {
         name += (i == 0 ? " " : ", ") + mechanism_.joints[static_cast<std::size_t>(joints[i])].name;
@@ -638,6 +657,7 @@ void LoopClosures::save(std::vector<double>& numbers) const {
         addAll(cluster.dependent);
         addAll(cluster.independent);
         addAll(cluster.used);
+        numbers.push_back(cluster.triedAt);
         // A singular pose does not tell them again.
         numbers.insert(numbers.end(), cluster.solved.data(),
                        cluster.solved.data() + cluster.solved.size());
@@ -666,6 +686,7 @@ void LoopClosures::restore(std::span<const double>& numbers) {
         takeAll(cluster.dependent);
         takeAll(cluster.independent);
         takeAll(cluster.used);
+        cluster.triedAt = take();
         const auto rank = static_cast<Eigen::Index>(cluster.dependent.size());
         cluster.held.resize(rank, rank);
         cluster.solved.setZero(rank, static_cast<Eigen::Index>(cluster.independent.size()) + 1);

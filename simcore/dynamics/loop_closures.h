@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -136,6 +137,14 @@ class LoopClosures {
         Eigen::MatrixXd solved;        ///< dependent rates by independent ones, and correction
         Eigen::MatrixXd work;
         std::size_t drawnRank = 0;
+        double triedAt = 1.0;  ///< ratio of pivots at which a better choice was looked for last
+    };
+
+    /// While loops are still open, a pose seems to hold more than it does: more than this many rows
+    /// are not chosen.
+    struct RankRange {
+        std::size_t least = 0;
+        std::size_t most = std::numeric_limits<std::size_t>::max();
     };
 
     struct Span {
@@ -148,9 +157,9 @@ class LoopClosures {
     /// Wrench of each of a closure's rows on its second body, with the gaps.
     void evaluateClosure(const Closure& closure, const TreeMotion& motion,
                          std::vector<Vec6>& wrenches, std::vector<double>& gaps) const;
-    /// False, and the choice is left as it is, where the pose has a lower rank than asked or the
-    /// same choice is the best.
-    bool choose(Cluster& cluster, std::size_t leastRank) const;
+    /// Chooses rows and dependent rates. False when the dependent rates stay the same: where they
+    /// are the best, or the pose has a lower rank than asked.
+    bool choose(Cluster& cluster, RankRange ranks, double leastPivot) const;
     /// Solves for the dependent rates; the smallest of the pivots over the largest. Where that is
     /// next to nothing, the solution stays as it was, without correction.
     double eliminate(Cluster& cluster) const;

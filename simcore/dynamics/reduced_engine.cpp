@@ -32,8 +32,9 @@ constexpr double kMotorDamping = 1e6;  // [N m s/rad]
 constexpr double kStiffSpring = 0.5;
 /// Agreement asked of contact forces [N].
 constexpr double kForceTolerance = 1e-3;
-/// From this turn of a loop's motion in a step on, what projection costs is given back.
-constexpr double kTurnThatCosts = 1e-3;
+/// From this turn of a loop's motion in time on, what projection costs is given back [1/s]. Slower
+/// ones lose less than the square of it times the step of their energy in a second.
+constexpr double kTurnThatCosts = 0.5;
 /// A step is divided when the motion of a loop turns by more than this share in it, as it does next
 /// to singular poses; at most so often.
 constexpr double kFastTurn = 0.05;
@@ -43,7 +44,7 @@ constexpr double kPoorPivots = 0.02;
 /// Share of the kinetic energy that a passage of a singular pose may cost.
 constexpr double kEnergyTolerance = 0.01;
 /// Room for contacts from the start; more get theirs when they come.
-constexpr std::size_t kContactRoom = 128;
+constexpr std::size_t kContactRoom = 256;
 
 /// A wrench that acts between two bodies.
 struct Between {
@@ -116,9 +117,9 @@ class ReducedEngine final : public Engine {
     void cover(const StepInput& input, double dt, int divisions);
     void solve(const StepInput& input);
     double motion();
+    void followChoice();
     void commit();
     void watchEnergy();
-    double kinetic(bool projected);
     void warn(std::string text);
     ScalarRow& addRow(int joint, const Vec6& wrench);
     void applyTorques(const StepInput& input);
@@ -262,6 +263,15 @@ ReducedEngine::ReducedEngine(const mechanism::Mechanism& mechanism, const Engine
     rowTouches_.reserve(kContactRoom);
     depths_.reserve(kContactRoom);
     contactForces_.reserve(kContactRoom);
+    memory_.reserve(kContactRoom);
+    for (ScalarRow& row : rows_) {
+        row.indices.reserve(rates);
+        row.factors.reserve(rates);
+    }
+    indices_.reserve(rates);
+    factors_.reserve(rates);
+    problem_.touched.reserve(bodies);
+    solver_.reserve(kContactRoom, rows_.size(), rates);
     reset();
 }
 
@@ -533,7 +543,7 @@ void ReducedEngine::projectForces(Eigen::VectorXd& momentum) const {
 // step that part is given back by projecting with the mean of P and P' instead, that is by adding
 // (P' - P)^T H d / 2 with d the part of (P' - P) u across the new motion.
 void ReducedEngine::keepLoopEnergy() {
-    if (choiceOfRates_ != loops_.choice() || loops_.turnOf(state_.rates) < kTurnThatCosts) {
+    if (choiceOfRates_ != loops_.choice() || loops_.turnOf(state_.rates) < kTurnThatCosts * dt_) {
         return;
     }
     std::vector<double>& across = accelerations_;
@@ -772,7 +782,20 @@ double ReducedEngine::motion() {
     screwsBefore_ = motion_.screws();
     advance(tree_, state_, change_);
     closed_ = loops_.close(state_, motion_);
+    if (loops_.choice() != choiceOfRates_) {
+        followChoice();
+    }
     return closed_ ? loops_.turnOf(ratesAfter_) : std::numeric_limits<double>::infinity();
+}
+
+/// The terms of the last pose, for the new choice of dependent rates.
+void ReducedEngine::followChoice() {
+    TreeState last = before_;
+    loops_.close(last, scratch_);
+    const int choice = loops_.choice();
+    termsOfRates_ = loops_.allTerms();
+    closed_ = loops_.close(state_, motion_);
+    choiceOfRates_ = loops_.choice() == choice ? choice : -1;
 }
 
 /// Takes the step, or the part of it, for made.
@@ -817,8 +840,8 @@ void ReducedEngine::warn(std::string text) {
     }
 }
 
-// Joints do no work. What the projection onto the loops' new motion takes from the energy all the
-// same is small as long as the loops turn slowly; next to a singular pose it is looked at.
+// Joints do no work. What the projection onto the loops' new motion changes of the energy all the
+// same is small; next to a singular pose, where loops turn fast, it is added up.
 void ReducedEngine::watchEnergy() {
     if (loops_.pivotRatio() > kPoorPivots) {
         passing_ = false;
@@ -829,8 +852,17 @@ void ReducedEngine::watchEnergy() {
         makePattern();
     }
     motion_.weigh();
-    const double before = kinetic(false);
-    const double after = kinetic(true);
+    inertiaTimes(state_.rates);
+    const double before =
+        0.5 * std::inner_product(forces_.begin(), forces_.end(), state_.rates.begin(), 0.0);
+    assembleMass();
+    projectForces(problem_.momentum);
+    keepLoopEnergy();
+    const Eigen::VectorXd momentum = problem_.momentum;
+    Eigen::VectorXd rates = momentum;
+    lu_.factor(problem_.mass);
+    lu_.solve(problem_.mass, rates);
+    const double after = 0.5 * rates.dot(momentum);
     if (!passing_) {
         passing_ = true;
         energyLost_ = 0.0;
@@ -841,21 +873,6 @@ void ReducedEngine::watchEnergy() {
         trouble_ = loops_.poorestLoop() +
                    " passed a singular pose, where energy could not be kept within 1 %";
     }
-}
-
-/// Energy of the rates at the present pose, or of what the loops leave of them [J].
-double ReducedEngine::kinetic(bool projected) {
-    inertiaTimes(state_.rates);
-    if (!projected) {
-        return 0.5 * std::inner_product(forces_.begin(), forces_.end(), state_.rates.begin(), 0.0);
-    }
-    assembleMass();
-    Eigen::VectorXd momentum;
-    projectForces(momentum);
-    Eigen::VectorXd rates = momentum;
-    lu_.factor(problem_.mass);
-    lu_.solve(problem_.mass, rates);
-    return 0.5 * rates.dot(momentum);
 }
 
 // Those of the step's motion: at the pose that the rates were solved at.

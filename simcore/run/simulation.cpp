@@ -138,6 +138,11 @@ Simulation::Impl::Impl(ResolvedRun settings, const dynamics::EngineMaker& makeEn
             steered.push_back(i);
         }
     }
+    // More contacts than usual ground makes, so that a drive takes nothing more from the heap.
+    constexpr std::size_t kContactRoom = 256;
+    contacts.reserve(kContactRoom);
+    grounds.reserve(kContactRoom);
+    frictions.reserve(kContactRoom);
     reset();
 }
 

@@ -129,6 +129,8 @@ void WheelObserver::closeWindow(std::vector<WheelState>& states) {
 
 FrictionMeter::FrictionMeter(const mechanism::Mechanism& mechanism, const terrain::Terrain& terrain)
     : obstacles_(terrain.obstacleRange()) {
+    constexpr std::size_t kContactRoom = 256;
+    used_.reserve(kContactRoom);
     constexpr double kLoadedShare = 0.02;
     const auto wheels = static_cast<double>(std::max<std::size_t>(1, mechanism.wheels.size()));
     smallestLoad_ = kLoadedShare * mechanism.mass() * dynamics::kGravity / wheels;

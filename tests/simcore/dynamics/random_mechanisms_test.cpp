@@ -48,6 +48,7 @@ struct End {
     VectorXd points, reactions;
     double loopError = 0.0;
     long solverMessages = 0;
+    long dividedSteps = 0;
 };
 
 void setDrives(World& world) {
@@ -130,7 +131,7 @@ class RandomMechanismTest : public ::testing::TestWithParam<std::tuple<Lot, std:
         setDrives(world);
         world.run(kTime);
         return {pointsOf(world), reactionsOf(world), loopError(mechanism, world.engine().poses()),
-                world.engine().counters().solverMessages};
+                world.engine().counters().solverMessages, world.engine().counters().dividedSteps};
     }
 
     const Lot lot = std::get<0>(GetParam());
@@ -153,6 +154,9 @@ INSTANTIATE_TEST_SUITE_P(Lots, RandomMechanismTest,
 // errors that terms of second order may have. Trees carry the same forces, too: in loops some of
 // them are open.
 TEST_P(RandomMechanismTest, EnginesAgree) {
+    if (const Problems problems = whyReducedCannotRun(mechanism); !problems.empty()) {
+        GTEST_SKIP() << toString(problems);
+    }
     const EngineCase& ode = engineCalled("Ode");
     const EngineCase& reduced = engineCalled("Reduced");
     const End odeCoarse = endOf(ode, 0.0002);
@@ -162,8 +166,13 @@ TEST_P(RandomMechanismTest, EnginesAgree) {
     const VectorXd expected = 2.0 * odeFine.points - odeCoarse.points;
     const double error = largest(coarse.points - expected);
     EXPECT_LT(error, 0.02);
-    EXPECT_NEAR(largest(fine.points - expected), 0.5 * error, 0.05 * error + 1e-6);
-    EXPECT_LT(largest(2.0 * fine.points - coarse.points - expected), 0.03 * error + 1e-5);
+    if (coarse.dividedSteps == 0) {
+        EXPECT_NEAR(largest(fine.points - expected), 0.5 * error, 0.05 * error + 1e-6);
+        EXPECT_LT(largest(2.0 * fine.points - coarse.points - expected), 0.03 * error + 1e-5);
+    } else {
+        // Coarse steps that were divided are better than the law.
+        EXPECT_LT(largest(fine.points - expected), 0.8 * error);
+    }
     EXPECT_LT(coarse.loopError, 1e-10);
     EXPECT_EQ(coarse.solverMessages, 0);
     if (lot == Lot::Tree) {
@@ -179,6 +188,9 @@ TEST_P(RandomMechanismTest, EnginesAgree) {
 TEST_P(RandomMechanismTest, ReactionsBalanceEveryBody) {
     if (lot == Lot::Gears) {
         GTEST_SKIP() << "the forces of its teeth are not told";
+    }
+    if (const Problems problems = whyReducedCannotRun(mechanism); !problems.empty()) {
+        GTEST_SKIP() << toString(problems);
     }
     Mechanism undamped = mechanism;
     for (Joint& joint : undamped.joints) {

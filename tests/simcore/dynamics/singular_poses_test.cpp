@@ -49,7 +49,7 @@ double kineticEnergy(const Mechanism& mechanism, const dynamics::Engine& engine)
 struct Passage {
     double energyStart = 0.0;  ///< [J]
     double energyWorst = 0.0;  ///< furthest from it [J]
-    double turned = 0.0;       ///< by the crank [rad]
+    double turned = 0.0;       ///< by the crank, to and fro [rad]
     double gap = 0.0;          ///< of any joint [m]
     std::string trouble;
     dynamics::EngineCounters counters;
@@ -75,8 +75,8 @@ Passage spin(const Mechanism& mechanism, double step = kStep) {
             std::abs(passage.energyWorst - passage.energyStart)) {
             passage.energyWorst = energy;
         }
-        passage.turned +=
-            step * dynamics::jointRate(mechanism.joints[0], engine->poses(), engine->velocities());
+        passage.turned += step * std::abs(dynamics::jointRate(mechanism.joints[0], engine->poses(),
+                                                              engine->velocities()));
         passage.gap = std::max(passage.gap, dynamics::loopError(mechanism, engine->poses()));
     }
     passage.counters = engine->counters();
@@ -102,15 +102,11 @@ TEST_P(ChangePointTest, KeepsEnergyOrSaysThatItCannot) {
         << "trouble: " << passage.trouble << ", divided steps: " << passage.counters.dividedSteps
         << ", pivot ratio " << passage.counters.leastPivotRatio;
     if (passage.trouble.empty()) {
-        EXPECT_GT(std::abs(passage.turned), 2.0) << "it did not come to the change point";
+        EXPECT_GT(passage.turned, 10.0) << "it did not come to the change point";
     } else {
         EXPECT_NE(passage.trouble.find("the loop of joints a, b, c, d"), std::string::npos)
             << passage.trouble;
     }
-    std::cout << GetParam() << ": energy " << passage.energyWorst / passage.energyStart
-              << " turned " << passage.turned << " gap " << passage.gap << " divided "
-              << passage.counters.dividedSteps << " pivot " << passage.counters.leastPivotRatio
-              << " choices " << passage.counters.choices << " trouble " << passage.trouble << "\n";
 }
 
 }  // namespace

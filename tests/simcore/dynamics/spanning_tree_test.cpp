@@ -185,15 +185,35 @@ TEST_P(TreeTest, LoopsStayClosedAlongIndependentRates) {
 TEST(LoopClosuresTest, GearOnAFixedPinHoldsTheOther) {
     Mechanism mechanism;
     mechanism.bodies = {makeBody("frame", 1.0, Vec3::Zero()), makeBody("still", 1.0, Vec3::Zero()),
-                        makeBody("arm", 1.0, Vec3::UnitX())};
+                        makeBody("arm", 1.0, Vec3::UnitX()), makeBody("swing", 1.0, Vec3::UnitX())};
     mechanism.bodies[0].fixed = mechanism.bodies[1].fixed = true;
-    mechanism.joints = {makePin("stuck", 0, 1, Vec3::Zero()), makePin("held", 0, 2, Vec3::Zero())};
+    mechanism.joints = {makePin("stuck", 0, 1, Vec3::Zero()), makePin("held", 0, 2, Vec3::Zero()),
+                        makePin("free", 0, 3, Vec3::Zero())};
     mechanism.gears = {{"gear", 0, 1, 2.0}};
     const auto engine = makeReducedEngine(mechanism, {});
     for (int i = 0; i < 100; ++i) {
         engine->step({});
     }
     EXPECT_LT((engine->poses()[2] * Vec3::UnitX() - Vec3::UnitX()).norm(), 1e-9);
+    ASSERT_EQ(engine->counters().warnings.size(), 1U);
+    EXPECT_EQ(engine->counters().warnings[0], "the loop of joints held cannot move");
+}
+
+// Without anything that moves there is nothing to simulate; the loops that hold it are named.
+TEST(LoopClosuresTest, ImmovableMechanismIsRefusedWithItsLoop) {
+    Mechanism mechanism;
+    mechanism.bodies = {makeBody("frame", 1.0, Vec3::Zero()),
+                        makeBody("left", 1.0, {0.0, 0.0, 0.5}),
+                        makeBody("right", 1.0, {0.5, 0.0, 0.5})};
+    mechanism.bodies[0].fixed = true;
+    mechanism.joints = {makePin("foot", 0, 1, Vec3::Zero()), makePin("toe", 0, 2, Vec3::UnitX()),
+                        makePin("top", 1, 2, {0.5, 0.0, 1.0})};
+    const Problems problems = whyReducedCannotRun(mechanism);
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_NE(toString(problems).find("the loop of joints foot, toe, top holds its bodies"),
+              std::string::npos)
+        << toString(problems);
+    EXPECT_THROW(makeReducedEngine(mechanism, {}), std::invalid_argument);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rovers, TreeTest,
