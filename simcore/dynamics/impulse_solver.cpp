@@ -8,12 +8,19 @@
 namespace simcore::dynamics {
 namespace {
 
-constexpr int kMaxIterations = 10;
+// The same for sticking and sliding. Where wheels that an uneven ground makes scrub slide by some
+// 0.1 mm/s, a small one takes them for sticking as soon as their load grows a little: with 0.02 kg
+// bench_rover's rough ground takes 6.0 iterations a step, with this one 3.5. With 1 kg and more its
+// waves take more again.
+constexpr double kSlidingMass = 0.3;  // [kg]
+constexpr int kMaxIterations = 7;
 constexpr int kMaxLimitChanges = 6;
 constexpr int kMaxSweeps = 2000;
+// Debug builds stop at a contact that is further than this many tolerances from its law.
+[[maybe_unused]] constexpr double kToleratedResidual = 100.0;
 // Creep of sticking, over what it is to be, in the stages that Newton's iteration gets when it
 // cycles; each starts from where the one before it came to.
-constexpr std::array<double, 4> kStages{300.0, 30.0, 5.0, 1.0};
+constexpr std::array<double, 5> kStages{100.0, 20.0, 5.0, 2.0, 1.0};
 
 double along(const ScalarRow& row, const Eigen::VectorXd& u) {
     double velocity = 0.0;
@@ -144,7 +151,8 @@ bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Eigen
             if (z > 0.0) {
                 push[0] = contact.bound / en;
                 stiff(0, 0) = 1.0 / en;
-                const Eigen::Vector2d t = p.tail<2>() - r * (v.tail<2>() + et * p.tail<2>());
+                const Eigen::Vector2d t =
+                    p.tail<2>() - kSlidingMass * (v.tail<2>() + et * p.tail<2>());
                 const double size = t.norm();
                 const double limit = contact.friction * z;
                 if (size <= limit) {
@@ -152,7 +160,7 @@ bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Eigen
                 } else {
                     const Eigen::Vector2d direction = t / size;
                     const double kappa = limit / size;
-                    const double s = std::min(kappa * r / (1.0 - kappa), 1.0 / et);
+                    const double s = std::min(kappa * kSlidingMass / (1.0 - kappa), 1.0 / et);
                     push.tail<2>() = contact.friction * push[0] * direction;
                     stiff.block<2, 1>(1, 0) = contact.friction / en * direction;
                     stiff.block<2, 2>(1, 1) =
@@ -264,7 +272,6 @@ void ImpulseSolver::solve(ImpulseProblem& problem, const PatternedLu& lu, Eigen:
     for (std::size_t k = 0; k < problem.rows.size(); ++k) {
         limits_[k] = problem.rows[k].starts ? 0 : (problem.rows[k].least == 0.0 ? -1 : 0);
     }
-    [[maybe_unused]] const long failuresBefore = counters.failures;
     firstU_ = u;
     firstImpulses_.clear();
     for (const ContactRow& contact : problem.contacts) {
@@ -275,13 +282,13 @@ void ImpulseSolver::solve(ImpulseProblem& problem, const PatternedLu& lu, Eigen:
         for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
             problem.contacts[c].impulse = firstImpulses_[c];
         }
-        if (!gradients(problem, lu, u)) {
-            ++counters.failures;
-        }
+        gradients(problem, lu, u);
     }
-    [[maybe_unused]] const double residual = residualOf(problem);
-    // Of a solve that reports no failure every contact obeys its law.
-    assert(counters.failures > failuresBefore || residual <= problem.tolerance);
+    const double residual = residualOf(problem);
+    if (!(residual <= problem.tolerance)) {
+        ++counters.failures;
+    }
+    assert(residual <= kToleratedResidual * problem.tolerance);
     counters.residual = std::max(counters.residual, residual);
 }
 
@@ -332,7 +339,7 @@ void ImpulseSolver::sweep(ImpulseProblem& problem, double* p) const {
 }
 
 // In the space of the impulses, with the matrix of what each does to every velocity.
-bool ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u) {
+void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u) {
     using Matrix = Eigen::Map<RowMajor>;
     using Vector = Eigen::Map<Eigen::VectorXd>;
     const auto n = problem.momentum.size();
@@ -397,13 +404,12 @@ bool ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
     sweep(problem, p.data());
     gradient = before - p;
     direction = -gradient;
-    bool converged = false;
-    for (int k = 0; k < kMaxSweeps && !converged; ++k) {
+    constexpr double kSweepTolerance = 0.1;
+    for (int k = 0; k < kMaxSweeps; ++k) {
         before = p;
         sweep(problem, p.data());
         step = before - p;
-        converged = step.cwiseAbs().maxCoeff() < 0.1 * problem.tolerance;
-        if (converged) {
+        if (step.cwiseAbs().maxCoeff() < kSweepTolerance * problem.tolerance) {
             break;
         }
         const double old = gradient.squaredNorm();
@@ -426,7 +432,6 @@ bool ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
     for (std::size_t k = 0; k < problem.rows.size(); ++k) {
         problem.rows[k].impulse = p[contactRows + static_cast<Eigen::Index>(k)];
     }
-    return converged;
 }
 
 }  // namespace simcore::dynamics

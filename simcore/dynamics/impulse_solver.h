@@ -126,7 +126,7 @@ class ImpulseSolver {
     bool withinLimits(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
                       ImpulseCounters& counters);
     static double residualOf(const ImpulseProblem& problem);
-    bool gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u);
+    void gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u);
     void sweep(ImpulseProblem& problem, double* impulses) const;
 
     RowMajor matrix_;

@@ -13,9 +13,10 @@ namespace simcore::dynamics {
 namespace {
 
 // Contacts are stiff springs with dampers, solved implicitly: the same physics at every step. The
-// damping is about critical for a wheel of 0.7 kg (assumed).
+// damping is critical for 6 kg, a rover's share on one wheel (assumed): with less, wheels bounce at
+// edges where the step is short enough to show it, and slip the more the shorter it is.
 constexpr double kContactStiffness = 1e6;  // [N/m]
-constexpr double kContactDamping = 1500;   // [N s/m]
+constexpr double kContactDamping = 5000;   // [N s/m]
 /// What a wheel that sticks creeps: 0.1 um/s per newton (assumed).
 constexpr double kStickingDamping = 1e7;  // [N s/m]
 /// Contacts are wanted from this far before they touch [m] (assumed).
