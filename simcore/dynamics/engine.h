@@ -122,6 +122,11 @@ class Engine {
 using EngineMaker =
     std::function<std::unique_ptr<Engine>(const mechanism::Mechanism&, const EngineSettings&)>;
 
+/// What turns or holds a joint with its dry friction: a motor of rate 0 where there is none.
+/// Friction helps to hold; of a servo that turns it takes its share.
+/// @param motor  may be null
+JointMotor withFriction(const mechanism::Joint& joint, const JointMotor* motor);
+
 /// Rate of mechanism::jointAngle() [rad/s].
 double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
                  const std::vector<BodyVelocity>& velocities);

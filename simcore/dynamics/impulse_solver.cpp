@@ -270,7 +270,7 @@ void ImpulseSolver::solve(ImpulseProblem& problem, const PatternedLu& lu, Eigen:
                           ImpulseCounters& counters) {
     limits_.resize(problem.rows.size());
     for (std::size_t k = 0; k < problem.rows.size(); ++k) {
-        limits_[k] = problem.rows[k].starts ? 0 : (problem.rows[k].least == 0.0 ? -1 : 0);
+        limits_[k] = problem.rows[k].start;
     }
     firstU_ = u;
     firstImpulses_.clear();

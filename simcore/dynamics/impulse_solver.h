@@ -75,8 +75,8 @@ struct ScalarRow {
     double least = 0.0;       ///< [N m s]
     double most = 0.0;
     double impulse = 0.0;
-    /// A stop may begin the iteration pushing; a motor starts within its limits.
-    bool starts = false;
+    /// Where the iteration begins: -1 and 1 at the limits, 0 between them.
+    int start = 0;
 };
 
 struct ImpulseProblem {

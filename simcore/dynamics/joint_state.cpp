@@ -16,6 +16,14 @@ double lengthAcross(const Vec3& v, const std::vector<Vec3>& directions) {
 
 }  // namespace
 
+JointMotor withFriction(const mechanism::Joint& joint, const JointMotor* motor) {
+    if (motor == nullptr) {
+        return {-1, 0.0, joint.friction};
+    }
+    const double friction = motor->rate == 0.0 ? joint.friction : -joint.friction;
+    return {motor->joint, motor->rate, std::max(0.0, motor->torqueLimit + friction)};
+}
+
 double jointRate(const mechanism::Joint& joint, const std::vector<Pose>& poses,
                  const std::vector<BodyVelocity>& velocities) {
     const auto first = static_cast<std::size_t>(joint.first);

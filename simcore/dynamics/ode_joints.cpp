@@ -153,7 +153,8 @@ void OdeJoint::holdRotations(const OdeSolve& solve) {
 
 /// Of pins by ODE's own joint, of others by a motor about the axis, which stays in the first body.
 void OdeJoint::setStopsAndMotor(const OdeSolve& solve, const JointMotor* motor) {
-    if (!joint_.stops && motor == nullptr && axis_.id == nullptr && !isPin_) {
+    const JointMotor turning = withFriction(joint_, motor);
+    if (!joint_.stops && turning.torqueLimit == 0.0 && axis_.id == nullptr && !isPin_) {
         return;
     }
     if (!isPin_ && axis_.id == nullptr) {
@@ -184,8 +185,8 @@ void OdeJoint::setStopsAndMotor(const OdeSolve& solve, const JointMotor* motor) 
         setParam(dParamHiStop, high);
         setParam(dParamLoStop, low);
     }
-    setParam(dParamVel, motor != nullptr ? sign * motor->rate : 0.0);
-    setParam(dParamFMax, motor != nullptr ? motor->torqueLimit : 0.0);
+    setParam(dParamVel, sign * turning.rate);
+    setParam(dParamFMax, turning.torqueLimit);
 }
 
 void OdeJoint::prepare(const OdeSolve& solve, const JointMotor* motor) {

@@ -28,6 +28,8 @@ constexpr double kStopDamping = 15;     // [N m s/rad]
 constexpr double kStopMargin = 0.2;
 /// A motor within its limit holds its rate to 1 urad/s per newton metre (assumed).
 constexpr double kMotorDamping = 1e6;  // [N m s/rad]
+/// A joint with dry friction turns from this rate on [rad/s] (assumed).
+constexpr double kTurning = 1e-3;
 /// Square of angular frequency times step from which a spring is stiff: symplectic Euler is stable
 /// up to 4.
 constexpr double kStiffSpring = 0.5;
@@ -682,22 +684,34 @@ void ReducedEngine::makeStops() {
                                   : -gap / dt;
             row.least = 0.0;
             row.most = std::numeric_limits<double>::infinity();
-            row.starts = gap < 0.0;
+            row.start = gap < 0.0 ? 0 : -1;
         }
     }
 }
 
 void ReducedEngine::makeMotors(const StepInput& input) {
-    const double dt = dt_;
+    motorOf_.assign(turners_.size(), nullptr);
     for (const JointMotor& motor : input.motors) {
-        const Turner& turner = turners_[static_cast<std::size_t>(motor.joint)];
-        const Vec6 wrench = axisOf(mechanism_.joints[static_cast<std::size_t>(motor.joint)]);
+        motorOf_[static_cast<std::size_t>(motor.joint)] = &motor;
+    }
+    for (const Turner& turner : turners_) {
+        const auto index = static_cast<std::size_t>(turner.joint);
+        const JointMotor turning = withFriction(mechanism_.joints[index], motorOf_[index]);
+        if (motorOf_[index] == nullptr && turning.torqueLimit == 0.0) {
+            continue;
+        }
+        const Vec6 wrench = axisOf(mechanism_.joints[index]);
         ScalarRow& row = addRow(turner.joint, wrench);
-        row.compliance = 1.0 / (dt * kMotorDamping);
-        row.bound = motor.rate;
-        row.most = dt * motor.torqueLimit;
+        row.compliance = 1.0 / (dt_ * kMotorDamping);
+        row.bound = turning.rate;
+        row.most = dt_ * turning.torqueLimit;
         row.least = -row.most;
-        row.starts = true;
+        row.start = 0;
+        if (motorOf_[index] == nullptr) {
+            // A joint that turns goes on to be braked.
+            const double rate = rateOf(turner.between, wrench);
+            row.start = rate > kTurning ? -1 : (rate < -kTurning ? 1 : 0);
+        }
     }
 }
 

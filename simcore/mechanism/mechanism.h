@@ -57,6 +57,7 @@ struct Joint {
     std::vector<Freedom> relaxed;
     std::optional<std::pair<double, double>> stops;  ///< [rad] about axis, drawn pose = 0
     double damping = 0.0;                            ///< [N m s/rad]
+    double friction = 0.0;                           ///< dry, about axis [N m]
 };
 
 struct Wheel {

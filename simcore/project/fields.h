@@ -55,6 +55,7 @@ void describe(V& v, const Joint*) {
     v.optional("locked", &Joint::locked);
     v.optional("stops", &Joint::stops);
     v.optional("damping", &Joint::damping);
+    v.optional("friction", &Joint::friction);
 }
 
 template <class V>

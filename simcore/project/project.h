@@ -76,6 +76,7 @@ struct Joint {
     bool locked = false;                           ///< locked joints weld their bodies
     std::optional<std::array<Quantity, 2>> stops;  ///< turn about the axis [rad], drawn pose = 0
     Quantity damping;                              ///< about the axis [N m s/rad]
+    Quantity friction;                             ///< dry, about the axis [N m]
     bool operator==(const Joint&) const = default;
 };
 

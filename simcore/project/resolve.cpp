@@ -449,6 +449,7 @@ void Resolver::readJoints() {
             out.stops = {low, high};
         }
         out.damping = value_.notNegative(joint.damping, element, "damping", "torsional damping");
+        out.friction = value_.notNegative(joint.friction, element, "friction", "torque");
         const bool locked = joint.locked || joint.free.empty();
         if (copy.name.empty() ||
             !fileJointIndex_.add(copy.name, static_cast<int>(fileJoints_.size()))) {

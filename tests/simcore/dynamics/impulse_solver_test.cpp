@@ -129,7 +129,6 @@ TEST(ImpulseSolverTest, MotorsKeepTheirLimit) {
         motor.bound = 0.1;
         motor.most = limit;
         motor.least = -limit;
-        motor.starts = true;
         std::vector<ScalarRow> rows{motor};
         point.problem.rows = rows;
         point.solve();

@@ -61,6 +61,48 @@ TEST_P(MechanismConformanceTest, PendulumKeepsTimeAndEnergy) {
     EXPECT_NEAR(turn(world, 0), kPi, 2e-2);
 }
 
+// Dry friction brakes a turning body by its torque, evenly, and then holds it still.
+TEST_P(MechanismConformanceTest, DryFrictionBrakesEvenly) {
+    Mechanism mechanism;
+    mechanism.bodies = {makeBody("frame", 1.0, Vec3::Zero()),
+                        makeBody("flywheel", 2.0, Vec3::Zero())};
+    mechanism.bodies[0].fixed = true;
+    mechanism.joints = {makePin("axle", 0, 1, Vec3::Zero())};
+    mechanism.joints[0].friction = 0.03;
+    const double inertia = mechanism.bodies[1].inertia(1, 1);
+    constexpr double kRate = 2.0;
+    World world(GetParam(), mechanism, kGravity);
+    world.motors = {{0, kRate, 1e6}};
+    world.step();
+    world.motors.clear();
+    const double braking = mechanism.joints[0].friction / inertia;
+    constexpr double kTime = 0.5;
+    world.run(kTime);
+    ASSERT_GT(kRate, braking * kTime) << "it is to turn still";
+    EXPECT_NEAR(jointRate(mechanism.joints[0], world.engine().poses(), world.engine().velocities()),
+                kRate - braking * kTime, 1e-3 * kRate);
+    world.run(1.0);
+    EXPECT_NEAR(jointRate(mechanism.joints[0], world.engine().poses(), world.engine().velocities()),
+                0.0, 1e-6);
+}
+
+// A rod that leans stays up by its pin's dry friction up to m g l sin(lean), and falls beyond.
+TEST_P(MechanismConformanceTest, DryFrictionHoldsUpToItsTorque) {
+    for (const double share : {0.98, 1.02}) {
+        const Pendulum rod;
+        Mechanism mechanism = rod.make();
+        // Drawn level: the whole weight turns it.
+        mechanism.joints[0].friction = rod.mass * kGravity * rod.arm / share;
+        World world(GetParam(), mechanism, kGravity);
+        world.run(1.0);
+        if (share < 1.0) {
+            EXPECT_NEAR(turn(world, 0), 0.0, 1e-4);
+        } else {
+            EXPECT_GT(std::abs(turn(world, 0)), 0.01);
+        }
+    }
+}
+
 // The pin of a swinging rod carries its weight and the centripetal force: m g (1 + 2 m l^2 / I) at
 // the lowest point after a fall from level.
 TEST_P(MechanismConformanceTest, PinReactionIsThatOfTheSwing) {
