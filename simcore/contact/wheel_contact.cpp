@@ -61,7 +61,7 @@ WheelContactFinder::Discs WheelContactFinder::discsOf(const mechanism::Wheel& wh
     const int gaps = slices_ - 1;
     int inner = 0;  // in each gap
     // What is the same at every y cannot stand between two slices.
-    if (terrain_.profile().empty() && gaps > 0) {
+    if (!terrain_.sameAcross() && gaps > 0) {
         const double gap = 2.0 * kOuterSlice * wheel.width / gaps;
         inner = std::clamp(static_cast<int>(std::ceil(gap / kInnerSpacing)) - 1, 0, kMostInner);
     }

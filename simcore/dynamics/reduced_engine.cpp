@@ -162,9 +162,10 @@ class ReducedEngine final : public Engine {
     ImpulseProblem problem_;
     ImpulseSolver solver_;
     ImpulseCounters impulses_;
-    std::vector<std::size_t> rowTouches_;  ///< the input's contact of each contact row
-    std::vector<ScalarRow> rows_;          ///< room for the problem's
-    std::vector<int> rowJoints_;           ///< joint of each
+    std::vector<std::size_t> rowTouches_;     ///< the input's contact of each contact row
+    std::vector<const JointMotor*> motorOf_;  ///< of every joint; null = none
+    std::vector<ScalarRow> rows_;             ///< room for the problem's
+    std::vector<int> rowJoints_;              ///< joint of each
     std::vector<Vec6> rowWrenches_;
     std::vector<double> depths_;  ///< of the input's contacts, now
     std::vector<Vec6> wrenches_;  ///< on the tree's bodies from outside, gravity not included

@@ -105,6 +105,7 @@ Terrain Terrain::extruded(const std::vector<Eigen::Vector2d>& profile, double yM
     }
     Terrain terrain;
     terrain.profile_ = profile;
+    terrain.sameAcross_ = true;
     TriangleMesh& mesh = terrain.mesh_;
     for (const Eigen::Vector2d& p : profile) {
         mesh.vertices.emplace_back(p.x(), yMin, p.y());
@@ -145,6 +146,11 @@ Terrain Terrain::grid(double x0, double y0, double cell, int nx, int ny,
                 mesh.vertices.emplace_back(x0 + ix * cell, y0 + iy * cell, height);
             }
         }
+    }
+    terrain.sameAcross_ = true;  // unless a height differs from its neighbour's, or is none
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const std::size_t inRow = i % static_cast<std::size_t>(ny);
+        terrain.sameAcross_ = terrain.sameAcross_ && heights[i] == heights[inRow == 0 ? i : i - 1];
     }
     const auto add = [&mesh](int a, int b, int c) {
         if (std::min({a, b, c}) >= 0) {

@@ -84,6 +84,9 @@ class Terrain {
     /// Range of x in which the ground is not flat at z = 0 [m]; empty (min > max) when it is flat.
     std::pair<double, double> obstacleRange() const { return obstacleRange_; }
 
+    /// Whether the ground is the same at every y.
+    bool sameAcross() const { return sameAcross_; }
+
     /// The polyline when the ground is an extruded profile, else empty.
     const std::vector<Eigen::Vector2d>& profile() const { return profile_; }
 
@@ -122,6 +125,7 @@ class Terrain {
     std::vector<std::uint8_t> spread_;  ///< of every triangle: 1 when it lies in several cells
     std::vector<Eigen::Vector2d> profile_;
     std::pair<double, double> obstacleRange_{1.0, -1.0};
+    bool sameAcross_ = false;
     // Uniform grid over x-y: the triangles in each cell, in CSR layout.
     double cellX_ = 0.05, cellY_ = 0.05;  ///< size of a cell [m]
     double gridX0_ = 0.0, gridY0_ = 0.0;

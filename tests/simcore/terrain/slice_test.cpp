@@ -127,6 +127,40 @@ TEST_P(SliceTest, AgreesWithEveryTriangleOfTheMesh) {
     EXPECT_GT(total, 100u) << "the planes miss the ground";
 }
 
+// Discs of a wheel: beside each other, forward level, in or just above the ground. Cells that stay
+// below them are not looked at, and must not be missed.
+TEST_P(SliceTest, DiscsOfAWheelAgreeWithEveryTriangleToo) {
+    const Terrain terrain = made(GetParam());
+    const bool large = terrain.mesh().triangles.size() > 10000;
+    Random random(8);
+    const std::array<double, 4> offsets{-0.0225, -0.0075, 0.0075, 0.0225};
+    std::array<std::vector<SliceSegment>, 4> slices;
+    std::size_t total = 0;
+    for (int i = 0; i < (large ? 40 : 300); ++i) {
+        const double radius = random.uniform(0.05, 0.2);
+        SlicePlane plane = randomPlane(terrain, random, radius);
+        const Vec3 axis = plane.v.cross(plane.u);
+        plane.u = axis.cross(Vec3::UnitZ()).normalized();
+        plane.v = plane.u.cross(axis);
+        plane.origin.z() += radius * random.uniform(0.0, 0.6);
+        terrain.slice(plane, offsets, radius, slices);
+        for (std::size_t k = 0; k < offsets.size(); ++k) {
+            SlicePlane disc = plane;
+            disc.origin += offsets[k] * axis;
+            const std::vector<Segment> found = withinDisc(slices[k], radius);
+            const std::vector<Segment> wanted = bruteForce(terrain, disc, radius);
+            total += wanted.size();
+            ASSERT_EQ(found.size(), wanted.size()) << "plane " << i << ", disc " << k;
+            for (const Segment& segment : wanted) {
+                ASSERT_TRUE(std::any_of(found.begin(), found.end(),
+                                        [&](const Segment& f) { return same(f, segment); }))
+                    << "plane " << i << ", disc " << k;
+            }
+        }
+    }
+    EXPECT_GT(total, 100u) << "the planes miss the ground";
+}
+
 INSTANTIATE_TEST_SUITE_P(Terrains, SliceTest,
                          testing::Values(spec(TerrainKind::Flat),
                                          spec(TerrainKind::Step, 0.15, 0.8),
@@ -212,4 +246,16 @@ TEST(TerrainTest, BadMeshesAreTheCallersMistake) {
     EXPECT_THROW((void)Terrain::grid(0.0, 0.0, 0.1, 2, 2, {0.0}), std::invalid_argument);
     EXPECT_THROW((void)Terrain::grid(0.0, 0.0, 0.0, 2, 2, {0.0, 0.0, 0.0, 0.0}),
                  std::invalid_argument);
+}
+
+// Ground of equal rows needs no discs between a wheel's outer ones.
+TEST(TerrainTest, KnowsWhenItIsTheSameAcross) {
+    std::vector<double> heights{0.0, 0.0, 0.0, 0.1, 0.1, 0.1, 0.05, 0.05, 0.05};
+    EXPECT_TRUE(Terrain::grid(0.0, 0.0, 0.1, 3, 3, heights).sameAcross());
+    EXPECT_TRUE(Terrain::extruded({{0.0, 0.0}, {1.0, 0.1}}, -1.0, 1.0).sameAcross());
+    heights[4] += 1e-9;
+    EXPECT_FALSE(Terrain::grid(0.0, 0.0, 0.1, 3, 3, heights).sameAcross());
+    heights[4] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(Terrain::grid(0.0, 0.0, 0.1, 3, 3, heights).sameAcross());
+    EXPECT_FALSE(Terrain::fromMesh({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}).sameAcross());
 }
