@@ -320,7 +320,9 @@ void BodyContactFinder::addPart(int body) {
     }
     if (!part.samples.empty()) {
         part.bounds = {all.center(), 0.5 * all.sizes()};
+        part.farthest = part.bounds.center.norm() + part.bounds.half.norm();
         parts_.push_back(std::move(part));
+        clear_.emplace_back();
     }
 }
 
@@ -329,6 +331,26 @@ bool BodyContactFinder::canReach(const Bounds& bounds, const Placed& placed) con
     const Vec3 half = placed.R.cwiseAbs() * bounds.half + Vec3::Constant(margin_);
     const Vec3 low = center - half;
     return low.z() < terrain_.highest(low, center + half);
+}
+
+// A look at the ground round a body serves for many steps, until it has moved as far as that.
+bool BodyContactFinder::staysClear(std::size_t part, const Placed& placed) {
+    constexpr double kRound = 0.03;  // [m], assumed: a step moves a body by 0.2 mm
+    Clearance& clear = clear_[part];
+    const Eigen::Quaterniond turn = clear.X_WB.rotation.conjugate() * placed.X_WB.rotation;
+    const double moved = (placed.X_WB.position - clear.X_WB.position).norm() +
+                         2.0 * placed.part.farthest * turn.vec().norm();
+    if (moved < clear.distance) {
+        return true;
+    }
+    const Bounds& bounds = placed.part.bounds;
+    const Vec3 center = placed.X_WB * bounds.center;
+    const Vec3 half = placed.R.cwiseAbs() * bounds.half + Vec3::Constant(margin_);
+    const Vec3 round(kRound, kRound, 0.0);
+    const double gap =
+        center.z() - half.z() - terrain_.highest(center - half - round, center + half + round);
+    clear = {placed.X_WB, std::min(gap, kRound)};
+    return gap > 0.0;
 }
 
 void BodyContactFinder::touch(std::size_t index, const Placed& placed) {
@@ -428,11 +450,12 @@ void BodyContactFinder::keepBest(const Placed& placed, bool walls) {
 
 const std::vector<Contact>& BodyContactFinder::find(const std::vector<Pose>& bodies) {
     contacts_.clear();
-    for (const Part& part : parts_) {
+    for (std::size_t index = 0; index < parts_.size(); ++index) {
+        const Part& part = parts_[index];
         const Pose& X_WB = bodies[static_cast<std::size_t>(part.body)];
         const Mat3 R = X_WB.rotation.toRotationMatrix();
         const Placed placed{part, X_WB, R, levelForward(R)};
-        if (!canReach(part.bounds, placed)) {
+        if (staysClear(index, placed) || !canReach(part.bounds, placed)) {
             continue;
         }
         touching_.clear();

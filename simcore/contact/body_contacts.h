@@ -61,9 +61,17 @@ class BodyContactFinder {
 
     struct Part {
         int body = -1;
+        double farthest = 0.0;  ///< of its points from the body's origin [m]
         Bounds bounds;
         std::vector<Patch> patches;
         std::vector<BodySample> samples;
+    };
+
+    /// Where a body was found clear of the ground, and how far any point of it may move from there
+    /// without touching.
+    struct Clearance {
+        Pose X_WB;
+        double distance = 0.0;  ///< [m]
     };
 
     /// A body as it stands in a step.
@@ -76,6 +84,7 @@ class BodyContactFinder {
 
     void addPart(int body);
     bool canReach(const Bounds& bounds, const Placed& placed) const;
+    bool staysClear(std::size_t part, const Placed& placed);
     void touch(std::size_t sample, const Placed& placed);
     void keepBest(const Placed& placed, bool walls);
 
@@ -84,6 +93,7 @@ class BodyContactFinder {
     double margin_;
     double deepest_;
     std::vector<Part> parts_;
+    std::vector<Clearance> clear_;  ///< of the parts
     std::vector<terrain::Facet> facets_;
     std::vector<Contact> touching_;  ///< all of one body
     std::vector<Contact> contacts_;

@@ -510,13 +510,16 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
     constexpr double kLevel = 1e-9;
     const bool level = std::abs(plane.u.z()) < kLevel;
     const double middle = center.z() - halfLength * std::abs(w.z()) - kSlack;
+    const double steep = plane.v.z() * plane.v.z();
     const auto staysBelow = [&](int ix, int iy) {
+        const double above = middle - static_cast<double>(cellHighest_[cellAt(ix, iy)]);
+        if (above < 0.0) {
+            return false;
+        }
         const double x = gridX0_ + (ix + 0.5) * cellX_ - center.x();
         const double y = gridY0_ + (iy + 0.5) * cellY_ - center.y();
         const double s = std::max(0.0, std::abs(plane.u.x() * x + plane.u.y() * y) - cellReach);
-        const double square = radius * radius - s * s;
-        return square < 0.0 || static_cast<double>(cellHighest_[cellAt(ix, iy)]) <
-                                   middle - std::abs(plane.v.z()) * std::sqrt(square);
+        return above * above > steep * (radius * radius - s * s);
     };
     std::array<Vec3, 2> ends;
     const auto inPlane = [&](const Vec3& p) {
