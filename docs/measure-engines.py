@@ -200,7 +200,7 @@ def engines():
     heading("project, ground", "controller", "slip ODE, reduced [m]", "apart [%]", "energy apart [%]",
             "largest difference of a mean wheel load [%]", "way apart [mm]")
     for project, scenario, controller in (("solero", "rough-profile", "speed"), ("solero", "rough-profile", "equal-torque"),
-                                          ("solero", "sinus", "speed"), ("shrimp", "rough-profile", "speed"),
+                                          ("shrimp", "rough-profile", "speed"),
                                           ("bench_rover", "rough-profile", "speed"),
                                           ("rocker_bogie", "rough-profile", "speed")):
         reports = []
