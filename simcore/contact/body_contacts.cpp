@@ -326,11 +326,11 @@ void BodyContactFinder::addPart(int body) {
     }
 }
 
-bool BodyContactFinder::canReach(const Bounds& bounds, const Placed& placed) const {
+double BodyContactFinder::gapBelow(const Bounds& bounds, const Placed& placed, double round) const {
     const Vec3 center = placed.X_WB * bounds.center;
     const Vec3 half = placed.R.cwiseAbs() * bounds.half + Vec3::Constant(margin_);
-    const Vec3 low = center - half;
-    return low.z() < terrain_.highest(low, center + half);
+    const Vec3 around(round, round, 0.0);
+    return center.z() - half.z() - terrain_.highest(center - half - around, center + half + around);
 }
 
 // A look at the ground round a body serves for many steps, until it has moved as far as that.
@@ -343,12 +343,7 @@ bool BodyContactFinder::staysClear(std::size_t part, const Placed& placed) {
     if (moved < clear.distance) {
         return true;
     }
-    const Bounds& bounds = placed.part.bounds;
-    const Vec3 center = placed.X_WB * bounds.center;
-    const Vec3 half = placed.R.cwiseAbs() * bounds.half + Vec3::Constant(margin_);
-    const Vec3 round(kRound, kRound, 0.0);
-    const double gap =
-        center.z() - half.z() - terrain_.highest(center - half - round, center + half + round);
+    const double gap = gapBelow(placed.part.bounds, placed, kRound);
     clear = {placed.X_WB, std::min(gap, kRound)};
     return gap > 0.0;
 }
@@ -455,12 +450,12 @@ const std::vector<Contact>& BodyContactFinder::find(const std::vector<Pose>& bod
         const Pose& X_WB = bodies[static_cast<std::size_t>(part.body)];
         const Mat3 R = X_WB.rotation.toRotationMatrix();
         const Placed placed{part, X_WB, R, levelForward(R)};
-        if (staysClear(index, placed) || !canReach(part.bounds, placed)) {
+        if (staysClear(index, placed) || gapBelow(part.bounds, placed, 0.0) >= 0.0) {
             continue;
         }
         touching_.clear();
         for (const Patch& patch : part.patches) {
-            if (canReach(patch.bounds, placed)) {
+            if (gapBelow(patch.bounds, placed, 0.0) < 0.0) {
                 for (std::size_t i = patch.first; i < patch.end; ++i) {
                     touch(i, placed);
                 }

@@ -83,7 +83,8 @@ class BodyContactFinder {
     };
 
     void addPart(int body);
-    bool canReach(const Bounds& bounds, const Placed& placed) const;
+    /// From the ground up to a box that is `round` wider on all sides, < 0 where it may touch [m].
+    double gapBelow(const Bounds& bounds, const Placed& placed, double round) const;
     bool staysClear(std::size_t part, const Placed& placed);
     void touch(std::size_t sample, const Placed& placed);
     void keepBest(const Placed& placed, bool walls);

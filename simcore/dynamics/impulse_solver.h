@@ -91,8 +91,8 @@ struct ImpulseProblem {
     double tolerance = 0.0;             ///< of impulses [N s]
 };
 
-/// r of the projections that tell contact states apart [kg]; within 0.02 to 0.2 kg it makes no
-/// difference.
+/// r of the natural map, and of the projection that tells touching from open [kg]; within 0.02 to
+/// 0.2 kg it makes no difference.
 inline constexpr double kProjectionMass = 0.02;
 
 /// How far a contact is from its law, as the natural map's largest component [N s]. Its velocity

@@ -287,10 +287,15 @@ bool LoopClosures::choose(Cluster& cluster, RankRange ranks, double leastPivot) 
     }
     cluster.dependent.assign(columns.begin(), columns.begin() + rank);
     cluster.independent.assign(columns.begin() + rank, columns.end());
+    resize(cluster);
+    return true;
+}
+
+void LoopClosures::resize(Cluster& cluster) {
+    const auto rank = static_cast<Eigen::Index>(cluster.dependent.size());
     cluster.held.resize(rank, rank);
     cluster.solved.setZero(rank, static_cast<Eigen::Index>(cluster.independent.size()) + 1);
     cluster.work = cluster.solved;
-    return true;
 }
 
 double LoopClosures::eliminate(Cluster& cluster) const {
@@ -565,10 +570,6 @@ void LoopClosures::renewTerms() {
     }
 }
 
-void LoopClosures::act(const Arm& arm, const Vec6& wrench, std::vector<Vec6>& wrenches) const {
-    pushBetween(tree_, arm.first, arm.second, wrench, wrenches);
-}
-
 void LoopClosures::apply(const Cluster& cluster, const Eigen::VectorXd& rows,
                          const TreeMotion& motion, std::vector<Vec6>& wrenches,
                          std::vector<Vec6>& joints) const {
@@ -578,7 +579,7 @@ void LoopClosures::apply(const Cluster& cluster, const Eigen::VectorXd& rows,
         for (std::size_t r = 0; r < rowWrenches_.size(); ++r) {
             wrench += rows[closure.row + static_cast<Eigen::Index>(r)] * rowWrenches_[r];
         }
-        act(closure.arm, wrench, wrenches);
+        pushBetween(tree_, closure.arm.first, closure.arm.second, wrench, wrenches);
         joints[static_cast<std::size_t>(closure.joint)] += wrench;
     }
     for (const Geared& geared : cluster.gears) {
@@ -589,7 +590,8 @@ void LoopClosures::apply(const Cluster& cluster, const Eigen::VectorXd& rows,
             const Arm& arm = geared.arms[side];
             const Vec3 axis = motion.poses()[static_cast<std::size_t>(arm.first)].rotation *
                               mechanism_.joints[static_cast<std::size_t>(gearJoints[side])].axis;
-            act(arm, spatial(factors[side] * rows[geared.row] * axis, Vec3::Zero()), wrenches);
+            pushBetween(tree_, arm.first, arm.second,
+                        spatial(factors[side] * rows[geared.row] * axis, Vec3::Zero()), wrenches);
         }
     }
 }
@@ -687,10 +689,7 @@ void LoopClosures::restore(std::span<const double>& numbers) {
         takeAll(cluster.independent);
         takeAll(cluster.used);
         cluster.triedAt = take();
-        const auto rank = static_cast<Eigen::Index>(cluster.dependent.size());
-        cluster.held.resize(rank, rank);
-        cluster.solved.setZero(rank, static_cast<Eigen::Index>(cluster.independent.size()) + 1);
-        cluster.work = cluster.solved;
+        resize(cluster);
         for (Eigen::Index i = 0; i < cluster.solved.size(); ++i) {
             cluster.solved.data()[i] = take();
         }

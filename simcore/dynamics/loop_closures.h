@@ -165,8 +165,9 @@ class LoopClosures {
     double eliminate(Cluster& cluster) const;
     /// Some row that the chosen ones should close is open.
     bool redundantRowOpens(const Cluster& cluster) const;
+    /// Room for the matrices of the present choice.
+    static void resize(Cluster& cluster);
     std::string nameOf(const Cluster& cluster) const;
-    void act(const Arm& arm, const Vec6& wrench, std::vector<Vec6>& wrenches) const;
     /// What a combination of a cluster's rows does to bodies and to the left-over joints.
     void apply(const Cluster& cluster, const Eigen::VectorXd& rows, const TreeMotion& motion,
                std::vector<Vec6>& wrenches, std::vector<Vec6>& joints) const;

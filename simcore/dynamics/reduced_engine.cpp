@@ -112,7 +112,8 @@ class ReducedEngine final : public Engine {
     Between between(int first, int second) const;
     void push(const Between& between, const Vec6& wrench, std::vector<Vec6>& wrenches) const;
     Vec6 axisOf(const mechanism::Joint& joint) const;
-    double rateOf(const Between& between, const Vec6& wrench) const;
+    static double rateOf(const Between& between, const Vec6& wrench,
+                         const std::vector<Vec6>& screws, const std::vector<double>& rates);
     void toIndependent(const Between& between, const Vec6& wrench, std::vector<int>& indices,
                        std::vector<double>& factors) const;
     void makePattern();
@@ -136,7 +137,7 @@ class ReducedEngine final : public Engine {
     void conserveMomentum();
     void keepLoopEnergy();
     void inertiaTimes(const std::vector<double>& rates);
-    void projectForces(Eigen::VectorXd& momentum) const;
+    void projectForces(double scale, Eigen::VectorXd& momentum) const;
     void takeMomentum();
     void updateVelocities();
 
@@ -316,11 +317,12 @@ Vec6 ReducedEngine::axisOf(const mechanism::Joint& joint) const {
                    Vec3::Zero());
 }
 
-double ReducedEngine::rateOf(const Between& between, const Vec6& wrench) const {
+double ReducedEngine::rateOf(const Between& between, const Vec6& wrench,
+                             const std::vector<Vec6>& screws, const std::vector<double>& rates) {
     double rate = 0.0;
     for (const SignedRate& signed_ : between.rates) {
         const auto j = static_cast<std::size_t>(signed_.rate);
-        rate += signed_.sign * wrench.dot(motion_.screws()[j]) * state_.rates[j];
+        rate += signed_.sign * wrench.dot(screws[j]) * rates[j];
     }
     return rate;
 }
@@ -508,12 +510,7 @@ void ReducedEngine::makeMass() {
     }
     motion_.inverseDynamics(state_.rates, accelerations_, settings_.gravity, wrenches_, forces_);
     conserveMomentum();
-    problem_.momentum.setZero();
-    for (std::size_t j = 0; j < forces_.size(); ++j) {
-        for (const RateTerm& term : loops_.terms(static_cast<int>(j))) {
-            problem_.momentum[term.index] -= dt * term.factor * forces_[j];
-        }
-    }
+    projectForces(-dt, problem_.momentum);
     keepLoopEnergy();
     for (const Elastic& elastic : elastics_) {
         toIndependent(elastic.between, elastic.wrench, indices_, factors_);
@@ -532,12 +529,12 @@ void ReducedEngine::inertiaTimes(const std::vector<double>& rates) {
     motion_.inverseDynamics(resting_, rates, 0.0, noWrenches_, forces_);
 }
 
-/// P^T times forces_.
-void ReducedEngine::projectForces(Eigen::VectorXd& momentum) const {
+/// P^T times forces_, scaled.
+void ReducedEngine::projectForces(double scale, Eigen::VectorXd& momentum) const {
     momentum.setZero(loops_.independentCount());
     for (std::size_t j = 0; j < forces_.size(); ++j) {
         for (const RateTerm& term : loops_.terms(static_cast<int>(j))) {
-            momentum[term.index] += term.factor * forces_[j];
+            momentum[term.index] += scale * term.factor * forces_[j];
         }
     }
 }
@@ -559,7 +556,7 @@ void ReducedEngine::keepLoopEnergy() {
         }
     }
     inertiaTimes(across);
-    projectForces(along_);
+    projectForces(1.0, along_);
     factored_ = problem_.mass;
     lu_.factor(factored_);
     lu_.solve(factored_, along_);
@@ -676,7 +673,9 @@ void ReducedEngine::makeStops() {
             const double gap =
                 sign > 0.0 ? angle - joint.stops->first : joint.stops->second - angle;
             const Vec6 wrench = sign * axisOf(joint);
-            if (gap > kStopMargin + std::abs(rateOf(turner.between, wrench)) * dt) {
+            if (gap >
+                kStopMargin +
+                    std::abs(rateOf(turner.between, wrench, motion_.screws(), state_.rates)) * dt) {
                 continue;
             }
             ScalarRow& row = addRow(turner.joint, wrench);
@@ -710,7 +709,7 @@ void ReducedEngine::makeMotors(const StepInput& input) {
         row.start = 0;
         if (motorOf_[index] == nullptr) {
             // A joint that turns goes on to be braked.
-            const double rate = rateOf(turner.between, wrench);
+            const double rate = rateOf(turner.between, wrench, motion_.screws(), state_.rates);
             row.start = rate > kTurning ? -1 : (rate < -kTurning ? 1 : 0);
         }
     }
@@ -825,12 +824,7 @@ void ReducedEngine::commit() {
         wrenches_[static_cast<std::size_t>(row.body)] += wrench;
     }
     for (const Elastic& elastic : elastics_) {
-        double rate = 0.0;
-        for (const SignedRate& signed_ : elastic.between.rates) {
-            rate += signed_.sign *
-                    elastic.wrench.dot(screwsBefore_[static_cast<std::size_t>(signed_.rate)]) *
-                    ratesAfter_[static_cast<std::size_t>(signed_.rate)];
-        }
+        const double rate = rateOf(elastic.between, elastic.wrench, screwsBefore_, ratesAfter_);
         push(elastic.between, -elastic.resisted * rate * elastic.wrench, wrenches_);
     }
     jointPushes_.assign(mechanism_.joints.size(), Vec6::Zero());
@@ -872,7 +866,7 @@ void ReducedEngine::watchEnergy() {
     const double before =
         0.5 * std::inner_product(forces_.begin(), forces_.end(), state_.rates.begin(), 0.0);
     assembleMass();
-    projectForces(problem_.momentum);
+    projectForces(1.0, problem_.momentum);
     keepLoopEnergy();
     const Eigen::VectorXd momentum = problem_.momentum;
     Eigen::VectorXd rates = momentum;
