@@ -27,6 +27,7 @@ void addChannelsCommand(CLI::App& app, int& exitCode);
 void addExportCommand(CLI::App& app, int& exitCode);
 void addReplayCommand(CLI::App& app, int& exitCode);
 void addRunCommand(CLI::App& app, int& exitCode);
+void addStaticsCommand(CLI::App& app, int& exitCode);
 void addTerrainCommand(CLI::App& app, int& exitCode);
 
 /// Loads a project; on failure prints why to stderr.

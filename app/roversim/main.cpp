@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
     roversim::addReplayCommand(app, exitCode);
     roversim::addExportCommand(app, exitCode);
     roversim::addConvertCommand(app, exitCode);
+    roversim::addStaticsCommand(app, exitCode);
     roversim::addTerrainCommand(app, exitCode);
     try {
         app.parse(argc, argv);

@@ -1,0 +1,196 @@
+#include "simcore/statics/static_model.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <Eigen/QR>
+
+#include "simcore/dynamics/engine.h"
+#include "simcore/mobility/stance.h"
+
+namespace simcore::statics {
+
+using dynamics::RateTerm;
+using dynamics::TreeBody;
+using mechanism::Wheel;
+
+Contact contactAtAngle(const mechanism::Mechanism& mechanism, int wheel,
+                       const std::vector<Pose>& poses, double angle) {
+    const Wheel& w = mechanism.wheels[static_cast<std::size_t>(wheel)];
+    const Pose& X_WB = poses[static_cast<std::size_t>(w.body)];
+    const mobility::WheelStand stand = mobility::standAtAngle(w, X_WB, angle);
+    return {wheel, stand.point, stand.normal, mobility::rollingDirection(w, X_WB, stand.normal)};
+}
+
+StaticModel::StaticModel(const mechanism::Mechanism& mechanism, Model joints)
+    : mechanism_(mechanism),
+      tree_(mechanism_, joints),
+      motion_(mechanism_, tree_),
+      loops_(mechanism_, tree_, joints),
+      twists_(tree_.bodies().size()) {
+    if (const Problems problems = dynamics::whyNoEngineCanRun(mechanism); !problems.empty()) {
+        throw std::invalid_argument(toString(problems));
+    }
+    dynamics::TreeState state = drawnState();
+    loops_.reset(state, motion_);
+    renewMotions();
+}
+
+bool StaticModel::place(dynamics::TreeState& state) {
+    const bool closed = loops_.close(state, motion_);
+    renewMotions();
+    return closed;
+}
+
+void StaticModel::renewMotions() {
+    const Eigen::Index n = loops_.independentCount();
+    for (std::size_t k = 0; k < twists_.size(); ++k) {
+        const TreeBody& at = tree_.bodies()[k];
+        auto& twists = twists_[k];
+        if (at.parent >= 0) {
+            twists = twists_[static_cast<std::size_t>(at.parent)];
+        } else {
+            twists.setZero(6, n);
+        }
+        for (const dynamics::TreeElement& element : at.elements) {
+            for (int rate = element.rate; rate < element.rate + element.rateCount(); ++rate) {
+                for (const RateTerm& term : loops_.terms(rate)) {
+                    twists.col(term.index) +=
+                        term.factor * motion_.screws()[static_cast<std::size_t>(rate)];
+                }
+            }
+        }
+    }
+}
+
+Eigen::RowVectorXd StaticModel::workOf(int body, const Vec3& force, const Vec3& point) const {
+    const int at = tree_.positionOf(body);
+    if (at < 0) {
+        return Eigen::RowVectorXd::Zero(motions());
+    }
+    return dynamics::forceAt(force, point - motion_.origin(body)).transpose() *
+           twists_[static_cast<std::size_t>(at)];
+}
+
+Eigen::RowVectorXd StaticModel::workOfMoment(int body, const Vec3& moment) const {
+    const int at = tree_.positionOf(body);
+    if (at < 0) {
+        return Eigen::RowVectorXd::Zero(motions());
+    }
+    return dynamics::spatial(moment, Vec3::Zero()).transpose() *
+           twists_[static_cast<std::size_t>(at)];
+}
+
+Eigen::RowVectorXd StaticModel::torqueWork(const Wheel& wheel) const {
+    const Vec3 axis = poses()[static_cast<std::size_t>(wheel.body)].rotation * wheel.axis;
+    return workOfMoment(wheel.body, axis) - workOfMoment(wheel.carrier, axis);
+}
+
+/// Work of weight and springs per unit of each motion.
+Eigen::VectorXd StaticModel::loads(double gravity) const {
+    Eigen::RowVectorXd work = Eigen::RowVectorXd::Zero(motions());
+    for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
+        const mechanism::Body& body = mechanism_.bodies[i];
+        work += workOf(static_cast<int>(i), {0.0, 0.0, -body.mass * gravity},
+                       poses()[i] * body.com);
+    }
+    for (const mechanism::Spring& spring : mechanism_.springs) {
+        if (spring.joint >= 0) {
+            const mechanism::Joint& joint =
+                mechanism_.joints[static_cast<std::size_t>(spring.joint)];
+            const Vec3 axis = poses()[static_cast<std::size_t>(joint.first)].rotation * joint.axis;
+            const double torque =
+                spring.preload - spring.stiffness * mechanism::jointAngle(joint, poses());
+            work += workOfMoment(joint.second, torque * axis);
+            work -= workOfMoment(joint.first, torque * axis);
+            continue;
+        }
+        const Vec3 a = poses()[static_cast<std::size_t>(spring.first)] * spring.firstPoint;
+        const Vec3 b = poses()[static_cast<std::size_t>(spring.second)] * spring.secondPoint;
+        const double drawn = (spring.secondPoint - spring.firstPoint).norm();
+        const double push = spring.preload + spring.stiffness * (drawn - (b - a).norm());
+        const Vec3 force = push * (b - a).normalized();
+        work += workOf(spring.second, force, b);
+        work -= workOf(spring.first, force, a);
+    }
+    return work.transpose();
+}
+
+Equilibrium StaticModel::equilibrium(std::span<const Contact> contacts, ContactSet set,
+                                     double gravity) {
+    Equilibrium result;
+    int columns = 0;
+    std::vector<bool> touches(mechanism_.wheels.size(), false);
+    for (const Contact& contact : contacts) {
+        touches[static_cast<std::size_t>(contact.wheel)] = true;
+        result.normal.push_back(columns++);
+    }
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        result.traction.push_back(columns++);
+    }
+    for (const Contact& contact : contacts) {
+        const Wheel& wheel = mechanism_.wheels[static_cast<std::size_t>(contact.wheel)];
+        const bool free = set == ContactSet::Free && wheel.relaxedLateral;
+        result.lateral.push_back(free ? -1 : columns++);
+    }
+    for (const bool touching : touches) {
+        result.torque.push_back(touching ? columns++ : -1);
+    }
+    result.matrix.setZero(motions(), columns);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const Contact& contact = contacts[i];
+        const int body = mechanism_.wheels[static_cast<std::size_t>(contact.wheel)].body;
+        const auto put = [&](int column, const Vec3& direction) {
+            if (column >= 0) {
+                result.matrix.col(column) =
+                    workOf(body, direction, contact.point).transpose();
+            }
+        };
+        put(result.normal[i], contact.normal);
+        put(result.traction[i], contact.forward);
+        put(result.lateral[i], contact.normal.cross(contact.forward));
+    }
+    for (std::size_t w = 0; w < touches.size(); ++w) {
+        if (touches[w]) {
+            result.matrix.col(result.torque[w]) = torqueWork(mechanism_.wheels[w]).transpose();
+        }
+    }
+    result.right = -loads(gravity);
+    return result;
+}
+
+Eigen::VectorXd StaticModel::rollingRates(std::span<const Contact> contacts, double speed,
+                                          double turn) {
+    const auto& wheels = mechanism_.wheels;
+    const Pose& chassis = poses()[static_cast<std::size_t>(mechanism_.chassis)];
+    Vec3 forward = chassis.rotation * Vec3::UnitX();
+    const Vec3 left = Vec3::UnitZ().cross(forward).normalized();
+    // What is asked of the chassis, then that contacts neither slip forwards nor leave the ground.
+    const auto rows = static_cast<Eigen::Index>(3 + 2 * contacts.size());
+    Eigen::MatrixXd matrix(rows, motions());
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(rows);
+    matrix.row(0) = workOf(mechanism_.chassis, forward, chassis.position);
+    matrix.row(1) = workOf(mechanism_.chassis, left, chassis.position);
+    matrix.row(2) = workOfMoment(mechanism_.chassis, Vec3::UnitZ());
+    right[0] = speed;
+    right[2] = turn;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const Contact& contact = contacts[i];
+        const int body = wheels[static_cast<std::size_t>(contact.wheel)].body;
+        const auto row = static_cast<Eigen::Index>(3 + 2 * i);
+        matrix.row(row) = workOf(body, contact.normal, contact.point);
+        matrix.row(row + 1) = workOf(body, contact.forward, contact.point);
+    }
+    const Eigen::VectorXd motion = matrix.completeOrthogonalDecomposition().solve(right);
+    Eigen::VectorXd rates(static_cast<Eigen::Index>(wheels.size()));
+    for (std::size_t w = 0; w < wheels.size(); ++w) {
+        const bool touches =
+            std::any_of(contacts.begin(), contacts.end(),
+                        [&](const Contact& c) { return c.wheel == static_cast<int>(w); });
+        rates[static_cast<Eigen::Index>(w)] =
+            touches ? torqueWork(wheels[w]).dot(motion) : speed / wheels[w].radius;
+    }
+    return rates;
+}
+
+}  // namespace simcore::statics
