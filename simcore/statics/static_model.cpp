@@ -63,6 +63,16 @@ void StaticModel::renewMotions() {
     }
 }
 
+std::vector<double> StaticModel::change(int motion, double amount) const {
+    std::vector<double> change(static_cast<std::size_t>(tree_.rateCount()), 0.0);
+    for (std::size_t rate = 0; rate < change.size(); ++rate) {
+        for (const RateTerm& term : loops_.terms(static_cast<int>(rate))) {
+            change[rate] += term.index == motion ? amount * term.factor : 0.0;
+        }
+    }
+    return change;
+}
+
 Eigen::RowVectorXd StaticModel::workOf(int body, const Vec3& force, const Vec3& point) const {
     const int at = tree_.positionOf(body);
     if (at < 0) {
@@ -163,7 +173,7 @@ Eigen::VectorXd StaticModel::rollingRates(std::span<const Contact> contacts, dou
                                           double turn) {
     const auto& wheels = mechanism_.wheels;
     const Pose& chassis = poses()[static_cast<std::size_t>(mechanism_.chassis)];
-    Vec3 forward = chassis.rotation * Vec3::UnitX();
+    const Vec3 forward = chassis.rotation * Vec3::UnitX();
     const Vec3 left = Vec3::UnitZ().cross(forward).normalized();
     // What is asked of the chassis, then that contacts neither slip forwards nor leave the ground.
     const auto rows = static_cast<Eigen::Index>(3 + 2 * contacts.size());

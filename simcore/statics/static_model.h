@@ -74,6 +74,9 @@ class StaticModel {
     /// How many motions the joints leave, those of the whole rover included.
     int motions() const { return loops_.independentCount(); }
 
+    /// Change of the tree's coordinates by `amount` of one of the motions, at the pose placed last.
+    std::vector<double> change(int motion, double amount) const;
+
     /// Of the pose placed last.
     /// @param gravity  [m/s^2], along -z
     Equilibrium equilibrium(std::span<const Contact> contacts, ContactSet set, double gravity);

@@ -220,6 +220,33 @@ Forces Traction::forcesOf(const VectorXd& unknowns) const {
     return forces;
 }
 
+VectorXd Traction::unknownsOf(const Forces& forces) const {
+    VectorXd unknowns = VectorXd::Zero(some_.size());
+    for (std::size_t i = 0; i < wheelOf_.size(); ++i) {
+        unknowns[equilibrium_.normal[i]] = forces.normal[i];
+        unknowns[equilibrium_.traction[i]] = forces.traction[i];
+        if (equilibrium_.lateral[i] >= 0) {
+            unknowns[equilibrium_.lateral[i]] = forces.lateral[i];
+        }
+    }
+    for (std::size_t w = 0; w < radii_.size(); ++w) {
+        if (equilibrium_.torque[w] >= 0) {
+            unknowns[equilibrium_.torque[w]] = forces.torque[w];
+        }
+    }
+    return unknowns;
+}
+
+double Traction::residual(const Forces& forces) const {
+    const VectorXd& right = equilibrium_.right;
+    const double scale = std::max(1e-12, right.cwiseAbs().maxCoeff());
+    return (equilibrium_.matrix * unknownsOf(forces) - right).cwiseAbs().maxCoeff() / scale;
+}
+
+Forces Traction::moved(const Forces& forces, int axis, double step) const {
+    return forcesOf(unknownsOf(forces) + step * motions_.col(axis));
+}
+
 bool Traction::allowed(const Forces& forces) const {
     for (std::size_t w = 0; w < forces.torque.size(); ++w) {
         if (std::abs(forces.torque[w]) > torqueLimits_[w] * (1.0 + 1e-9)) {
@@ -390,20 +417,7 @@ Solution Traction::best(Objective objective, double tolerance) const {
     const Solution start = objective == Objective::Friction ? fixedPoint() : Solution{};
     VectorXd y = VectorXd::Zero(motions_.cols());
     if (start.way != Way::None) {
-        VectorXd unknowns = VectorXd::Zero(some_.size());
-        for (std::size_t i = 0; i < wheelOf_.size(); ++i) {
-            unknowns[equilibrium_.normal[i]] = start.forces.normal[i];
-            unknowns[equilibrium_.traction[i]] = start.forces.traction[i];
-            if (equilibrium_.lateral[i] >= 0) {
-                unknowns[equilibrium_.lateral[i]] = start.forces.lateral[i];
-            }
-        }
-        for (std::size_t w = 0; w < radii_.size(); ++w) {
-            if (equilibrium_.torque[w] >= 0) {
-                unknowns[equilibrium_.torque[w]] = start.forces.torque[w];
-            }
-        }
-        y = motions_.transpose() * (unknowns - some_);
+        y = motions_.transpose() * (unknownsOf(start.forces) - some_);
     }
     if (!findInterior(y)) {
         return none;

@@ -73,7 +73,14 @@ class Traction {
     /// there are no such torques.
     Solution best(Objective objective, double tolerance = 1e-8) const;
 
+    /// Largest part of M U - R over the largest of R [-].
+    double residual(const Forces& forces) const;
+
+    /// Forces moved along one axis of the space of solutions [N].
+    Forces moved(const Forces& forces, int axis, double step) const;
+
   private:
+    Eigen::VectorXd unknownsOf(const Forces& forces) const;
     Forces forcesOf(const Eigen::VectorXd& unknowns) const;
     bool allowed(const Forces& forces) const;
     bool findInterior(Eigen::VectorXd& y) const;
