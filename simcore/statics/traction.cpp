@@ -200,10 +200,40 @@ Traction::Traction(const Equilibrium& equilibrium, const mechanism::Mechanism& m
                            .solve(permuted.head(rank));
     some_ = q.leftCols(rank) * z;
     motions_ = q.rightCols(n - rank);
-    const double scale = right.cwiseAbs().maxCoeff();
-    imbalance_ = scale > 0.0 ? (matrix * some_ - right).cwiseAbs().maxCoeff() / scale : 0.0;
+    scale_ = std::max(1e-12, right.cwiseAbs().maxCoeff());
+    imbalance_ = (matrix * some_ - right).cwiseAbs().maxCoeff() / scale_;
+    solveForTorques();
     const auto count = static_cast<double>(std::max<std::size_t>(1, wheelOf_.size()));
     load_ = std::max(1e-9, mechanism.mass()) * 10.0 / count;
+}
+
+/// The forces at the contacts by the torques, and what the torques must fulfil for there to be any.
+void Traction::solveForTorques() {
+    const auto wheels = static_cast<Eigen::Index>(radii_.size());
+    const Eigen::Index others =
+        equilibrium_.matrix.cols() -
+        std::count_if(equilibrium_.torque.begin(), equilibrium_.torque.end(),
+                      [](int column) { return column >= 0; });
+    const Eigen::Index rows = equilibrium_.matrix.rows();
+    MatrixXd right(rows, 1 + wheels);
+    right.setZero();
+    right.col(0) = equilibrium_.right;
+    for (std::size_t w = 0; w < radii_.size(); ++w) {
+        if (equilibrium_.torque[w] >= 0) {
+            right.col(1 + static_cast<Eigen::Index>(w)) =
+                -equilibrium_.matrix.col(equilibrium_.torque[w]);
+        }
+    }
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
+    decomposition.setThreshold(kDependent);
+    decomposition.compute(equilibrium_.matrix.leftCols(others));
+    const MatrixXd solved = decomposition.solve(right);
+    withoutTorque_ = solved.col(0);
+    perTorque_ = solved.rightCols(wheels);
+    const MatrixXd q = decomposition.householderQ() * MatrixXd::Identity(rows, rows);
+    const MatrixXd open = q.rightCols(rows - decomposition.rank()).transpose() * right;
+    wanted_ = open.col(0);
+    conditions_ = -open.rightCols(wheels);
 }
 
 Forces Traction::forcesOf(const VectorXd& unknowns) const {
@@ -239,8 +269,7 @@ VectorXd Traction::unknownsOf(const Forces& forces) const {
 
 double Traction::residual(const Forces& forces) const {
     const VectorXd& right = equilibrium_.right;
-    const double scale = std::max(1e-12, right.cwiseAbs().maxCoeff());
-    return (equilibrium_.matrix * unknownsOf(forces) - right).cwiseAbs().maxCoeff() / scale;
+    return (equilibrium_.matrix * unknownsOf(forces) - right).cwiseAbs().maxCoeff() / scale_;
 }
 
 Forces Traction::moved(const Forces& forces, int axis, double step) const {
@@ -256,83 +285,59 @@ bool Traction::allowed(const Forces& forces) const {
     return forces.minNormal() >= 0.0;
 }
 
-namespace {
-
-/// The solution of M U = R whose torques are in these proportions; nothing when there is none.
+/// The forces of torques in these proportions; nothing when none of them hold the rover.
 /// @param shares  of every wheel
-bool solveWithShares(const Equilibrium& equilibrium, const std::vector<double>& shares,
-                     VectorXd& unknowns) {
-    const Eigen::Index others =
-        static_cast<Eigen::Index>(2 * equilibrium.normal.size()) +
-        std::count_if(equilibrium.lateral.begin(), equilibrium.lateral.end(),
-                      [](int column) { return column >= 0; });
-    MatrixXd reduced(equilibrium.matrix.rows(), others + 1);
-    reduced.leftCols(others) = equilibrium.matrix.leftCols(others);
-    reduced.col(others).setZero();
-    for (std::size_t w = 0; w < shares.size(); ++w) {
-        if (equilibrium.torque[w] >= 0) {
-            reduced.col(others) += shares[w] * equilibrium.matrix.col(equilibrium.torque[w]);
+std::optional<VectorXd> Traction::withShares(const VectorXd& shares) const {
+    const VectorXd asked = conditions_ * shares;
+    const double square = asked.squaredNorm();
+    const double common = square > 0.0 ? asked.dot(wanted_) / square : 0.0;
+    if (!((asked * common - wanted_).cwiseAbs().maxCoeff() <= kBalanced * scale_)) {
+        return std::nullopt;
+    }
+    VectorXd unknowns = VectorXd::Zero(some_.size());
+    const Eigen::Index others = withoutTorque_.size();
+    unknowns.head(others) = withoutTorque_ + common * (perTorque_ * shares);
+    for (std::size_t w = 0; w < radii_.size(); ++w) {
+        if (equilibrium_.torque[w] >= 0) {
+            unknowns[equilibrium_.torque[w]] = common * shares[static_cast<Eigen::Index>(w)];
         }
     }
-    Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition(reduced);
-    const VectorXd solved = decomposition.solve(equilibrium.right);
-    const double scale = std::max(1e-12, equilibrium.right.cwiseAbs().maxCoeff());
-    if (!((reduced * solved - equilibrium.right).cwiseAbs().maxCoeff() < kBalanced * scale)) {
-        return false;
-    }
-    unknowns.setZero(equilibrium.matrix.cols());
-    unknowns.head(others) = solved.head(others);
-    for (std::size_t w = 0; w < shares.size(); ++w) {
-        if (equilibrium.torque[w] >= 0) {
-            unknowns[equilibrium.torque[w]] = shares[w] * solved[others];
-        }
-    }
-    return true;
+    return unknowns;
 }
-
-}  // namespace
 
 Solution Traction::equalTorque() const {
     Solution solution;
-    VectorXd unknowns;
-    if (!solveWithShares(equilibrium_, std::vector<double>(radii_.size(), 1.0), unknowns)) {
+    const auto unknowns =
+        withShares(VectorXd::Ones(static_cast<Eigen::Index>(radii_.size())));
+    if (!unknowns) {
         return solution;
     }
-    solution.forces = forcesOf(unknowns);
+    solution.forces = forcesOf(*unknowns);
     solution.way = Way::Equal;
     solution.friction = solution.forces.maxRatio();
     return solution;
 }
 
 Solution Traction::fixedPoint() const {
-    Solution none;
-    std::vector<double> shares(radii_.size(), 0.0);
-    VectorXd unknowns;
-    if (!solveWithShares(equilibrium_, radii_, unknowns)) {
-        return none;
-    }
-    for (int k = 0; k < kMaxFixedPoint; ++k) {
-        std::vector<double> next(radii_.size(), 0.0);
+    const Solution none;
+    const auto wheels = static_cast<Eigen::Index>(radii_.size());
+    VectorXd shares = VectorXd::Ones(wheels);
+    std::optional<VectorXd> unknowns = withShares(shares);
+    for (int k = 0; unknowns && k < kMaxFixedPoint; ++k) {
+        VectorXd next = VectorXd::Zero(wheels);
         for (std::size_t i = 0; i < wheelOf_.size(); ++i) {
-            const auto wheel = static_cast<std::size_t>(wheelOf_[i]);
-            const double load = unknowns[equilibrium_.normal[i]];
+            const double load = (*unknowns)[equilibrium_.normal[i]];
             if (!(load > 0.0)) {
                 return none;
             }
-            next[wheel] += load / load_ * radii_[wheel];
+            next[wheelOf_[i]] += load / load_ * radii_[static_cast<std::size_t>(wheelOf_[i])];
         }
-        double change = 0.0;
-        for (std::size_t w = 0; w < shares.size(); ++w) {
-            const double step = k == 0 ? next[w] - shares[w] : kDamping * (next[w] - shares[w]);
-            shares[w] += step;
-            change = std::max(change, std::abs(step));
-        }
-        if (!solveWithShares(equilibrium_, shares, unknowns)) {
-            return none;
-        }
-        if (k > 0 && change < kFixedPointTolerance) {
+        const double change = (next - shares).cwiseAbs().maxCoeff();
+        shares += (k == 0 ? 1.0 : kDamping) * (next - shares);
+        unknowns = withShares(shares);
+        if (unknowns && k > 0 && change < kFixedPointTolerance) {
             Solution solution;
-            solution.forces = forcesOf(unknowns);
+            solution.forces = forcesOf(*unknowns);
             if (!allowed(solution.forces)) {
                 return none;
             }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <string>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -80,6 +81,8 @@ class Traction {
     Forces moved(const Forces& forces, int axis, double step) const;
 
   private:
+    void solveForTorques();
+    std::optional<Eigen::VectorXd> withShares(const Eigen::VectorXd& shares) const;
     Eigen::VectorXd unknownsOf(const Forces& forces) const;
     Forces forcesOf(const Eigen::VectorXd& unknowns) const;
     bool allowed(const Forces& forces) const;
@@ -91,6 +94,13 @@ class Traction {
     std::vector<double> radii_;          ///< of every wheel [m]
     double load_ = 1.0;                  ///< mean of a contact, a scale [N]
     double imbalance_ = 0.0;
+    double scale_ = 1.0;  ///< largest of R
+    // Forces at the contacts = withoutTorque + perTorque * torques, where conditions * torques =
+    // wanted.
+    Eigen::VectorXd withoutTorque_;
+    Eigen::MatrixXd perTorque_;
+    Eigen::MatrixXd conditions_;
+    Eigen::VectorXd wanted_;
     Eigen::VectorXd some_;     ///< U0
     Eigen::MatrixXd motions_;  ///< K, orthonormal columns
 };
