@@ -22,7 +22,7 @@ struct DriveCommand {
 };
 
 enum class WheelMode {
-    Speed,   ///< the loop drives the wheel at `speed`
+    Speed,   ///< the loop drives the wheel at `speed`, with `torque` on top of what it asks for
     Torque,  ///< the wheel gets `torque`; the loop takes over where its rate would pass `speed`
     Lock,    ///< the brake holds the wheel on its carrier, up to the torque limit
 };
@@ -30,7 +30,7 @@ enum class WheelMode {
 /// For one wheel: what its drive does at every engine step, until the next command.
 struct WheelCommand {
     WheelMode mode = WheelMode::Speed;
-    double torque = 0.0;        ///< Torque: wanted [N m]
+    double torque = 0.0;        ///< Torque: wanted; Speed: fed forward [N m]
     double speed = 0.0;         ///< Speed: set-point; Torque: highest |rate| driven to [rad/s]
     double proportional = 0.0;  ///< of the loop [N m s/rad]
     double integral = 0.0;      ///< of the loop [N m/rad]
@@ -76,6 +76,18 @@ std::unique_ptr<Controller> makeSpeedController(const mechanism::Mechanism& mech
 /// (assumed).
 std::unique_ptr<Controller> makeEqualTorqueController(const mechanism::Mechanism& mechanism,
                                                       const ControllerSettings& settings);
+
+/// Controllers that know the rover's mechanism, its pose and where its wheels touch; see
+/// docs/controllers.md:
+///
+/// - Synchronised: every wheel at the rate at which nothing slips, by a PI loop per wheel;
+/// - CommonIntegral: the same rates by P loops, and one integral for all, shared as N_i / N_mean;
+/// - Torque: the torques of least required friction, and a PID on the body's speed, shared as
+///   N_i / N_mean (Lamon et al. 2004, Figs. 2, 3 and eq. 4);
+/// - Hybrid: those torques below a friction that is learned from slip, and a mild P loop on the
+///   rates at which nothing slips.
+std::unique_ptr<Controller> makeRollingController(const mechanism::Mechanism& mechanism,
+                                                  const ControllerSettings& settings);
 
 std::unique_ptr<Controller> makeController(const mechanism::Mechanism& mechanism,
                                            const ControllerSettings& settings);

@@ -137,9 +137,19 @@ std::unique_ptr<Controller> makeSpeedController(const mechanism::Mechanism& mech
 
 std::unique_ptr<Controller> makeController(const mechanism::Mechanism& mechanism,
                                            const ControllerSettings& settings) {
-    return settings.kind == project::ControllerKind::EqualTorque
-               ? makeEqualTorqueController(mechanism, settings)
-               : makeSpeedController(mechanism, settings);
+    switch (settings.kind) {
+        case project::ControllerKind::EqualTorque:
+            return makeEqualTorqueController(mechanism, settings);
+        case project::ControllerKind::Synchronised:
+        case project::ControllerKind::CommonIntegral:
+        case project::ControllerKind::Torque:
+        case project::ControllerKind::Hybrid:
+            return makeRollingController(mechanism, settings);
+        case project::ControllerKind::Speed:
+        case project::ControllerKind::Manual:
+            break;
+    }
+    return makeSpeedController(mechanism, settings);
 }
 
 }  // namespace simcore::control

@@ -71,7 +71,7 @@ double WheelDrive::torque(const WheelCommand& command, double rate, double step)
         const double held = heldBelowSpeed(capped, rate, step);
         commanded_ = held == capped.torque ? command.torque : held;
     } else {
-        commanded_ = loopTorque(command, command.speed - rate, step);
+        commanded_ = command.torque + loopTorque(command, command.speed - rate, step);
     }
     return std::clamp(available(commanded_, rate), -cap, cap);
 }

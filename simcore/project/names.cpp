@@ -34,9 +34,13 @@ constexpr std::array<Entry<TerrainKind>, 16> kTerrains{
 constexpr std::array<Entry<Sides>, 3> kSides{
     {{Sides::Both, "both"}, {Sides::Left, "left"}, {Sides::Right, "right"}}};
 constexpr std::array<Entry<UpAxis>, 2> kUpAxes{{{UpAxis::Z, "z"}, {UpAxis::Y, "y"}}};
-constexpr std::array<Entry<ControllerKind>, 3> kControllers{
+constexpr std::array<Entry<ControllerKind>, 7> kControllers{
     {{ControllerKind::Speed, "speed"},
+     {ControllerKind::Synchronised, "synchronised"},
+     {ControllerKind::CommonIntegral, "common-integral"},
      {ControllerKind::EqualTorque, "equal-torque"},
+     {ControllerKind::Torque, "torque"},
+     {ControllerKind::Hybrid, "hybrid"},
      {ControllerKind::Manual, "manual"}}};
 constexpr std::array<Entry<SteeringMode>, 3> kSteering{{{SteeringMode::Auto, "auto"},
                                                         {SteeringMode::Skid, "skid"},

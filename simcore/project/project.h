@@ -241,7 +241,15 @@ struct Soil {
     bool operator==(const Soil&) const = default;
 };
 
-enum class ControllerKind { Speed, EqualTorque, Manual };
+enum class ControllerKind {
+    Speed,
+    Synchronised,
+    CommonIntegral,
+    EqualTorque,
+    Torque,
+    Hybrid,
+    Manual
+};
 
 /// How a controller turns the rover: by speeds alone; by steering joints alone; or by steering
 /// joints where there are any, helped by speeds where their stops are in the way.

@@ -1,0 +1,273 @@
+#include <algorithm>
+#include <cmath>
+
+#include "simcore/control/body_speed_loop.h"
+#include "simcore/control/controller.h"
+#include "simcore/control/heading_hold.h"
+#include "simcore/control/rover_estimate.h"
+#include "simcore/dynamics/engine.h"
+#include "simcore/statics/traction.h"
+
+namespace simcore::control {
+namespace {
+
+using project::ControllerKind;
+
+// Wheels are asked for at most this many times v/R: at a vertical wall nothing that rolls without
+// slip goes forwards (assumed).
+constexpr double kFastest = 2.0;
+// Time constant of the rates asked for [s] (assumed).
+constexpr double kSmoothing = 0.03;
+// P loops towards rolling, in torque limits per rad/s (assumed: mild against a PI loop's 0.5).
+constexpr double kMildGain = 0.25;
+// The integral that all wheels have in common, in torque limits per rad (assumed).
+constexpr double kCommonIntegral = 2.5;
+// Gentle loop of a wheel that hangs, in torque limits per rad/s (assumed).
+constexpr double kLiftedGain = 0.1;
+// A torque-driven wheel may run at most this much faster than v/R (assumed), and at least at this
+// rate [rad/s], so that a rover can be held against a slope.
+constexpr double kRateCap = 1.5;
+constexpr double kSmallestRateCap = 0.3;
+// The friction that is learned from slip: where it begins and what it comes back to, with which
+// rate [1/s]; by how much a wheel runs ahead when it slips [rad/s]; and what it is then set to, over
+// what the wheel gave (all assumed, no ground is known).
+constexpr double kFirstFriction = 0.9;
+constexpr double kFrictionRecovery = 0.1;
+constexpr double kSlips = 0.3;
+constexpr double kBelowSlip = 0.9;
+// A rover slower than this share of what is asked, for this time [s], is given all friction again.
+constexpr double kStalled = 0.2;
+constexpr double kStalledTime = 1.0;
+
+class RollingController final : public Controller {
+  public:
+    RollingController(const mechanism::Mechanism& mechanism, const ControllerSettings& settings)
+        : wheels_(mechanism.wheels),
+          settings_(settings),
+          estimate_(mechanism, settings.period),
+          loop_(mechanism, settings),
+          heading_(settings.period, mechanism.wheelbase(), TurnedBy::WheelSpeeds),
+          brake_(makeSpeedController(mechanism, {})),
+          rates_(static_cast<Eigen::Index>(wheels_.size())) {
+        reset();
+    }
+
+    void reset() override {
+        estimate_.reset();
+        loop_.reset();
+        heading_.reset();
+        rates_.setZero();
+        optimum_.assign(wheels_.size(), 0.0);
+        integral_ = 0.0;
+        friction_ = kFirstFriction;
+        stalled_ = 0.0;
+        held_ = false;
+    }
+
+    void update(const Sensors& sensors, const DriveCommand& command,
+                std::span<WheelCommand> out) override {
+        if (command.brake) {
+            reset();
+            brake_->update(sensors, command, out);
+            return;
+        }
+        estimate_.update(sensors);
+        planRates(sensors, command);
+        switch (settings_.kind) {
+            case ControllerKind::Synchronised:
+                synchronise(out);
+                break;
+            case ControllerKind::CommonIntegral:
+                shareIntegral(sensors, out);
+                break;
+            case ControllerKind::Torque:
+                planTorques();
+                driveByTorque(sensors, command, out);
+                break;
+            default:
+                planTorques();
+                driveHybrid(sensors, command, out);
+                break;
+        }
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            if (!estimate_.bears(i)) {
+                out[i] = {};
+                out[i].torqueCap = wheels_[i].torqueLimit;
+                out[i].speed = command.speed / wheels_[i].radius;
+                out[i].proportional = kLiftedGain * wheels_[i].torqueLimit;
+            }
+        }
+    }
+
+  private:
+    /// Rates at which no wheel slips.
+    void planRates(const Sensors& sensors, const DriveCommand& command) {
+        const bool holds = settings_.headingHold || settings_.kind == ControllerKind::Hybrid;
+        const double turn =
+            holds ? heading_.turn(sensors.imu, command.speed, command.turn) : command.turn;
+        Eigen::VectorXd asked =
+            estimate_.model().rollingRates(estimate_.contacts(), command.speed, turn);
+        const double share = settings_.period / (kSmoothing + settings_.period);
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            const auto w = static_cast<Eigen::Index>(i);
+            const double most =
+                std::min(kFastest * std::max(std::abs(command.speed), std::abs(turn) * 0.5) /
+                             wheels_[i].radius,
+                         wheels_[i].speedLimit);
+            rates_[w] += share * (std::clamp(asked[w], -most, most) - rates_[w]);
+        }
+    }
+
+    /// Torques of least required friction. Where none are found, the last ones fade.
+    void planTorques() {
+        const std::vector<statics::Contact>& contacts = estimate_.contacts();
+        constexpr double kFade = 0.9;
+        statics::Solution solution;
+        if (!contacts.empty()) {
+            const statics::Traction traction(
+                estimate_.model().equilibrium(contacts, statics::ContactSet::All,
+                                              dynamics::kGravity),
+                estimate_.model().mechanism(), contacts);
+            solution = traction.fixedPoint();
+            if (solution.way == statics::Way::None) {
+                solution = traction.equalTorque();
+            }
+        }
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            optimum_[i] = solution.way == statics::Way::None
+                              ? kFade * optimum_[i]
+                              : std::clamp(solution.forces.torque[i], -wheels_[i].torqueLimit,
+                                           wheels_[i].torqueLimit);
+        }
+    }
+
+    void synchronise(std::span<WheelCommand> out) const {
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            out[i] = rolling(i);
+            out[i].proportional = gain(settings_.proportional, kLoopProportional, i);
+            out[i].integral = gain(settings_.integral, kLoopIntegral, i);
+        }
+    }
+
+    void shareIntegral(const Sensors& sensors, std::span<WheelCommand> out) {
+        double error = 0.0;
+        double limit = 0.0;
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            error += (rates_[static_cast<Eigen::Index>(i)] - sensors.wheels[i].rate) /
+                     static_cast<double>(wheels_.size());
+            limit = std::max(limit, wheels_[i].torqueLimit);
+        }
+        integral_ = std::clamp(
+            integral_ + gain(settings_.integral, kCommonIntegral, 0) * error * settings_.period,
+            -limit, limit);
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            out[i] = rolling(i);
+            out[i].proportional = gain(settings_.proportional, kMildGain, i);
+            out[i].torque = integral_ * shareOf(i);
+        }
+    }
+
+    void driveByTorque(const Sensors& sensors, const DriveCommand& command,
+                       std::span<WheelCommand> out) {
+        const double common = loop_.torque(sensors.bodySpeed, command.speed, held_);
+        held_ = true;
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            out[i] = {};
+            out[i].mode = WheelMode::Torque;
+            out[i].torque = optimum_[i] + common * shareOf(i);
+            out[i].speed = std::max(kRateCap * std::abs(command.speed) / wheels_[i].radius,
+                                    kSmallestRateCap);
+            out[i].proportional = kLoopProportional * wheels_[i].torqueLimit;
+            out[i].integral = kLoopIntegral * wheels_[i].torqueLimit;
+            out[i].torqueCap = tractionCap(sensors, i, settings_.assumedFriction);
+            held_ = held_ && std::abs(out[i].torque) >= out[i].torqueCap;
+        }
+    }
+
+    void driveHybrid(const Sensors& sensors, const DriveCommand& command,
+                     std::span<WheelCommand> out) {
+        learnFriction(sensors, command);
+        const double common = loop_.torque(sensors.bodySpeed, command.speed, held_);
+        held_ = true;
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            const double cap = tractionCap(sensors, i, friction_);
+            const double wanted = optimum_[i] + common * shareOf(i);
+            out[i] = rolling(i);
+            out[i].torque = std::clamp(wanted, -cap, cap);
+            out[i].proportional = kMildGain * wheels_[i].torqueLimit;
+            held_ = held_ && std::abs(wanted) >= cap;
+            given_[i] = out[i].torque;
+        }
+    }
+
+    /// A wheel that runs ahead of the ground gives what the ground holds, and less is asked then.
+    void learnFriction(const Sensors& sensors, const DriveCommand& command) {
+        given_.resize(wheels_.size(), 0.0);
+        friction_ = std::min(kFirstFriction, friction_ + kFrictionRecovery * settings_.period);
+        const double speed = std::abs(command.speed) > 1e-6
+                                 ? sensors.bodySpeed / command.speed
+                                 : 0.0;
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            const double rolls = speed * rates_[static_cast<Eigen::Index>(i)];
+            const double ahead = std::copysign(1.0, command.speed) * (sensors.wheels[i].rate - rolls);
+            const double load = std::min(estimate_.loads()[i], sensors.wheels[i].normalForce);
+            if (estimate_.bears(i) && ahead > kSlips && load > 0.0) {
+                friction_ = std::min(friction_, kBelowSlip * std::abs(given_[i]) /
+                                                    (wheels_[i].radius * load));
+            }
+        }
+        stalled_ = std::abs(sensors.bodySpeed) < kStalled * std::abs(command.speed)
+                       ? stalled_ + settings_.period
+                       : 0.0;
+        if (stalled_ > kStalledTime) {
+            friction_ = kFirstFriction;
+        }
+    }
+
+    WheelCommand rolling(std::size_t i) const {
+        WheelCommand command;
+        command.speed = rates_[static_cast<Eigen::Index>(i)];
+        command.torqueCap = wheels_[i].torqueLimit;
+        return command;
+    }
+
+    double gain(double set, double share, std::size_t i) const {
+        return set > 0.0 ? set : share * wheels_[i].torqueLimit;
+    }
+
+    /// N_i / N_mean.
+    double shareOf(std::size_t i) const {
+        return estimate_.meanLoad() > 0.0 ? estimate_.loads()[i] / estimate_.meanLoad() : 0.0;
+    }
+
+    /// What the ground takes when it has this friction; less at once where a wheel unloads.
+    double tractionCap(const Sensors& sensors, std::size_t i, double friction) const {
+        const double load = std::min(estimate_.loads()[i], sensors.wheels[i].normalForce);
+        return friction > 0.0 ? std::min(wheels_[i].torqueLimit,
+                                         friction * std::max(0.0, load) * wheels_[i].radius)
+                              : wheels_[i].torqueLimit;
+    }
+
+    const std::vector<mechanism::Wheel> wheels_;
+    const ControllerSettings settings_;
+    RoverEstimate estimate_;
+    BodySpeedLoop loop_;
+    HeadingHold heading_;
+    std::unique_ptr<Controller> brake_;
+    Eigen::VectorXd rates_;         ///< at which nothing slips [rad/s]
+    std::vector<double> optimum_;   ///< of least required friction [N m]
+    std::vector<double> given_;     ///< by the model and the PID, in the last period [N m]
+    double integral_ = 0.0;         ///< common [N m]
+    double friction_ = kFirstFriction;
+    double stalled_ = 0.0;  ///< [s]
+    bool held_ = false;     ///< all wheels are at their caps
+};
+
+}  // namespace
+
+std::unique_ptr<Controller> makeRollingController(const mechanism::Mechanism& mechanism,
+                                                  const ControllerSettings& settings) {
+    return std::make_unique<RollingController>(mechanism, settings);
+}
+
+}  // namespace simcore::control
