@@ -22,6 +22,8 @@ int main(int argc, char** argv) {
     roversim::addExportCommand(app, exitCode);
     roversim::addConvertCommand(app, exitCode);
     roversim::addTerrainCommand(app, exitCode);
+    roversim::addReproduceCommand(app, exitCode);
+    roversim::addWorkerCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
