@@ -26,9 +26,11 @@ void addCriticalFrictionCommand(CLI::App& app, int& exitCode);
 void addChannelsCommand(CLI::App& app, int& exitCode);
 void addExportCommand(CLI::App& app, int& exitCode);
 void addReplayCommand(CLI::App& app, int& exitCode);
+void addReproduceCommand(CLI::App& app, int& exitCode);
 void addRunCommand(CLI::App& app, int& exitCode);
 void addStaticsCommand(CLI::App& app, int& exitCode);
 void addTerrainCommand(CLI::App& app, int& exitCode);
+void addWorkerCommand(CLI::App& app, int& exitCode);
 
 /// Loads a project; on failure prints why to stderr.
 std::optional<simcore::project::Project> loadOrComplain(const std::string& file);

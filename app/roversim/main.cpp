@@ -23,6 +23,8 @@ int main(int argc, char** argv) {
     roversim::addConvertCommand(app, exitCode);
     roversim::addStaticsCommand(app, exitCode);
     roversim::addTerrainCommand(app, exitCode);
+    roversim::addReproduceCommand(app, exitCode);
+    roversim::addWorkerCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,0 +1,117 @@
+#include "simcore/experiment/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simcore/base/random.h"
+
+namespace simcore::experiment {
+namespace {
+
+constexpr int kSamples = 2000;
+constexpr double kTail = 0.025;
+/// What is less counts as this much, so that a run without slip has a ratio [m or J].
+constexpr double kLeast = 1e-6;
+
+struct Pair {
+    const Outcome* own;
+    const Outcome* rival;
+};
+
+double mean(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values) {
+        sum += value;
+    }
+    return sum / static_cast<double>(values.size());
+}
+
+Comparison::Measure measure(const std::vector<Pair>& pairs, double Outcome::* what) {
+    Comparison::Measure result;
+    std::vector<double> logs;
+    for (const Pair& pair : pairs) {
+        result.wins += pair.own->*what < pair.rival->*what ? 1 : 0;
+        logs.push_back(std::log(std::max(kLeast, pair.rival->*what) /
+                                std::max(kLeast, pair.own->*what)));
+    }
+    if (logs.empty()) {
+        return result;
+    }
+    result.meanRatio = std::exp(mean(logs));
+    if (logs.size() < 2) {
+        return result;
+    }
+    Random random(1);
+    std::vector<double> means;
+    std::vector<double> sample(logs.size());
+    for (int k = 0; k < kSamples; ++k) {
+        for (double& value : sample) {
+            value = logs[random.next() % logs.size()];
+        }
+        means.push_back(mean(sample));
+    }
+    std::sort(means.begin(), means.end());
+    const auto tail = static_cast<std::size_t>(kTail * kSamples);
+    result.low = std::exp(means[tail]);
+    result.high = std::exp(means[means.size() - 1 - tail]);
+    return result;
+}
+
+const Outcome* find(const std::vector<Outcome>& outcomes, const Case& what) {
+    const auto found = std::find_if(outcomes.begin(), outcomes.end(),
+                                    [&](const Outcome& o) { return o.ran == what; });
+    return found == outcomes.end() ? nullptr : &*found;
+}
+
+Comparison compareTwo(const Plan& plan, const std::vector<Outcome>& outcomes, double friction,
+                      project::ControllerKind controller, project::ControllerKind rival) {
+    Comparison comparison;
+    comparison.friction = friction;
+    comparison.controller = controller;
+    comparison.rival = rival;
+    std::vector<Pair> valid;
+    for (int seed = plan.firstSeed; seed <= plan.lastSeed; ++seed) {
+        const Pair pair{find(outcomes, {seed, friction, controller}),
+                        find(outcomes, {seed, friction, rival})};
+        if (pair.own == nullptr || pair.rival == nullptr) {
+            continue;
+        }
+        ++comparison.tried;
+        comparison.onlyOwn += pair.own->completed && !pair.rival->completed ? 1 : 0;
+        comparison.onlyRival += pair.rival->completed && !pair.own->completed ? 1 : 0;
+        if (!pair.own->completed || !pair.rival->completed) {
+            continue;
+        }
+        ++comparison.pairs;
+        const double apart = std::hypot(pair.own->endX - pair.rival->endX,
+                                        pair.own->endY - pair.rival->endY);
+        if (plan.set == TerrainSet::Profiles || apart < kSameEnd) {
+            valid.push_back(pair);
+        }
+    }
+    comparison.valid = static_cast<int>(valid.size());
+    comparison.slip = measure(valid, &Outcome::slipAbs);
+    comparison.loadedSlip = measure(valid, &Outcome::slipLoaded);
+    comparison.energy = measure(valid, &Outcome::energy);
+    comparison.work = measure(valid, &Outcome::frictionWork);
+    return comparison;
+}
+
+}  // namespace
+
+std::vector<Comparison> compare(const Plan& plan, const std::vector<Outcome>& outcomes) {
+    std::vector<Comparison> comparisons;
+    for (const double friction : plan.frictions) {
+        for (const project::ControllerKind controller : plan.controllers) {
+            for (const project::ControllerKind rival : plan.controllers) {
+                if (rival != controller) {
+                    comparisons.push_back(
+                        compareTwo(plan, outcomes, friction, controller, rival));
+                }
+            }
+        }
+    }
+    return comparisons;
+}
+
+}  // namespace simcore::experiment
