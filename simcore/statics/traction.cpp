@@ -291,7 +291,7 @@ std::optional<VectorXd> Traction::withShares(const VectorXd& shares) const {
     const VectorXd asked = conditions_ * shares;
     const double square = asked.squaredNorm();
     const double common = square > 0.0 ? asked.dot(wanted_) / square : 0.0;
-    if (!((asked * common - wanted_).cwiseAbs().maxCoeff() <= kBalanced * scale_)) {
+    if (!((asked * common - wanted_).lpNorm<1>() <= kBalanced * scale_)) {
         return std::nullopt;
     }
     VectorXd unknowns = VectorXd::Zero(some_.size());
