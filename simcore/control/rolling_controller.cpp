@@ -60,6 +60,7 @@ class RollingController final : public Controller {
         optimum_.assign(wheels_.size(), 0.0);
         integral_ = 0.0;
         friction_ = kFirstFriction;
+        pace_ = 1.0;
         stalled_ = 0.0;
         held_ = false;
     }
@@ -105,17 +106,19 @@ class RollingController final : public Controller {
         const bool holds = settings_.headingHold || settings_.kind == ControllerKind::Hybrid;
         const double turn =
             holds ? heading_.turn(sensors.imu, command.speed, command.turn) : command.turn;
-        Eigen::VectorXd asked =
+        const Eigen::VectorXd asked =
             estimate_.model().rollingRates(estimate_.contacts(), command.speed, turn);
-        const double share = settings_.period / (kSmoothing + settings_.period);
+        // Slower, but along the same way: at a wall the rover waits for the wheel that climbs.
+        double fastest = 1.0;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
-            const auto w = static_cast<Eigen::Index>(i);
-            const double most =
-                std::min(kFastest * std::max(std::abs(command.speed), std::abs(turn) * 0.5) /
-                             wheels_[i].radius,
-                         wheels_[i].speedLimit);
-            rates_[w] += share * (std::clamp(asked[w], -most, most) - rates_[w]);
+            const double most = std::min(
+                kFastest * std::max(std::abs(command.speed) / wheels_[i].radius, kSmallestRateCap),
+                wheels_[i].speedLimit);
+            fastest = std::max(fastest, std::abs(asked[static_cast<Eigen::Index>(i)]) / most);
         }
+        const double share = settings_.period / (kSmoothing + settings_.period);
+        rates_ += share * (asked / fastest - rates_);
+        pace_ += share * (1.0 / fastest - pace_);
     }
 
     /// Torques of least required friction. Where none are found, the last ones fade.
@@ -169,7 +172,7 @@ class RollingController final : public Controller {
 
     void driveByTorque(const Sensors& sensors, const DriveCommand& command,
                        std::span<WheelCommand> out) {
-        const double common = loop_.torque(sensors.bodySpeed, command.speed, held_);
+        const double common = loop_.torque(sensors.bodySpeed, pace_ * command.speed, held_);
         held_ = true;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             out[i] = {};
@@ -187,7 +190,7 @@ class RollingController final : public Controller {
     void driveHybrid(const Sensors& sensors, const DriveCommand& command,
                      std::span<WheelCommand> out) {
         learnFriction(sensors, command);
-        const double common = loop_.torque(sensors.bodySpeed, command.speed, held_);
+        const double common = loop_.torque(sensors.bodySpeed, pace_ * command.speed, held_);
         held_ = true;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             const double cap = tractionCap(sensors, i, friction_);
@@ -204,9 +207,8 @@ class RollingController final : public Controller {
     void learnFriction(const Sensors& sensors, const DriveCommand& command) {
         given_.resize(wheels_.size(), 0.0);
         friction_ = std::min(kFirstFriction, friction_ + kFrictionRecovery * settings_.period);
-        const double speed = std::abs(command.speed) > 1e-6
-                                 ? sensors.bodySpeed / command.speed
-                                 : 0.0;
+        const double asked = pace_ * command.speed;
+        const double speed = std::abs(asked) > 1e-6 ? sensors.bodySpeed / asked : 0.0;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             const double rolls = speed * rates_[static_cast<Eigen::Index>(i)];
             const double ahead = std::copysign(1.0, command.speed) * (sensors.wheels[i].rate - rolls);
@@ -216,7 +218,7 @@ class RollingController final : public Controller {
                                                     (wheels_[i].radius * load));
             }
         }
-        stalled_ = std::abs(sensors.bodySpeed) < kStalled * std::abs(command.speed)
+        stalled_ = std::abs(sensors.bodySpeed) < kStalled * std::abs(asked)
                        ? stalled_ + settings_.period
                        : 0.0;
         if (stalled_ > kStalledTime) {
@@ -259,6 +261,7 @@ class RollingController final : public Controller {
     std::vector<double> given_;     ///< by the model and the PID, in the last period [N m]
     double integral_ = 0.0;         ///< common [N m]
     double friction_ = kFirstFriction;
+    double pace_ = 1.0;     ///< of the rover over what is asked, so that no wheel is too fast
     double stalled_ = 0.0;  ///< [s]
     bool held_ = false;     ///< all wheels are at their caps
 };
