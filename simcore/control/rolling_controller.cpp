@@ -5,6 +5,7 @@
 #include "simcore/control/controller.h"
 #include "simcore/control/heading_hold.h"
 #include "simcore/control/rover_estimate.h"
+#include "simcore/control/wheel_drive.h"
 #include "simcore/dynamics/engine.h"
 #include "simcore/statics/traction.h"
 
@@ -29,11 +30,13 @@ constexpr double kLiftedGain = 0.1;
 constexpr double kRateCap = 1.5;
 constexpr double kSmallestRateCap = 0.3;
 // The friction that is learned from slip: where it begins and what it comes back to, with which
-// rate [1/s]; by how much a wheel runs ahead when it slips [rad/s]; and what it is then set to, over
-// what the wheel gave (all assumed, no ground is known).
+// rate [1/s]; by how much [rad/s] and for how long [s] a wheel runs ahead when it slips, rather than
+// comes to an edge; and what it is then set to, over what the wheel gave (all assumed, no ground is
+// known).
 constexpr double kFirstFriction = 0.9;
 constexpr double kFrictionRecovery = 0.1;
 constexpr double kSlips = 0.3;
+constexpr double kSlipTime = 0.05;
 constexpr double kBelowSlip = 0.9;
 // A rover slower than this share of what is asked, for this time [s], is given all friction again.
 constexpr double kStalled = 0.2;
@@ -49,6 +52,10 @@ class RollingController final : public Controller {
           heading_(settings.period, mechanism.wheelbase(), TurnedBy::WheelSpeeds),
           brake_(makeSpeedController(mechanism, {})),
           rates_(static_cast<Eigen::Index>(wheels_.size())) {
+        for (const mechanism::Wheel& wheel : wheels_) {
+            mildGains_.push_back(
+                loopGain(kMildGain * wheel.torqueLimit, axleInertia(mechanism, wheel)));
+        }
         reset();
     }
 
@@ -58,6 +65,8 @@ class RollingController final : public Controller {
         heading_.reset();
         rates_.setZero();
         optimum_.assign(wheels_.size(), 0.0);
+        given_.assign(wheels_.size(), 0.0);
+        slipping_.assign(wheels_.size(), 0.0);
         integral_ = 0.0;
         friction_ = kFirstFriction;
         pace_ = 1.0;
@@ -172,7 +181,7 @@ class RollingController final : public Controller {
 
     void driveByTorque(const Sensors& sensors, const DriveCommand& command,
                        std::span<WheelCommand> out) {
-        const double common = loop_.torque(sensors.bodySpeed, pace_ * command.speed, held_);
+        const double common = loop_.torque(sensors.bodySpeed, command.speed, held_);
         held_ = true;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             out[i] = {};
@@ -190,7 +199,7 @@ class RollingController final : public Controller {
     void driveHybrid(const Sensors& sensors, const DriveCommand& command,
                      std::span<WheelCommand> out) {
         learnFriction(sensors, command);
-        const double common = loop_.torque(sensors.bodySpeed, pace_ * command.speed, held_);
+        const double common = loop_.torque(sensors.bodySpeed, command.speed, held_);
         held_ = true;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             const double cap = tractionCap(sensors, i, friction_);
@@ -205,7 +214,6 @@ class RollingController final : public Controller {
 
     /// A wheel that runs ahead of the ground gives what the ground holds, and less is asked then.
     void learnFriction(const Sensors& sensors, const DriveCommand& command) {
-        given_.resize(wheels_.size(), 0.0);
         friction_ = std::min(kFirstFriction, friction_ + kFrictionRecovery * settings_.period);
         const double asked = pace_ * command.speed;
         const double speed = std::abs(asked) > 1e-6 ? sensors.bodySpeed / asked : 0.0;
@@ -213,9 +221,14 @@ class RollingController final : public Controller {
             const double rolls = speed * rates_[static_cast<Eigen::Index>(i)];
             const double ahead = std::copysign(1.0, command.speed) * (sensors.wheels[i].rate - rolls);
             const double load = std::min(estimate_.loads()[i], sensors.wheels[i].normalForce);
-            if (estimate_.bears(i) && ahead > kSlips && load > 0.0) {
-                friction_ = std::min(friction_, kBelowSlip * std::abs(given_[i]) /
-                                                    (wheels_[i].radius * load));
+            slipping_[i] =
+                estimate_.bears(i) && ahead > kSlips ? slipping_[i] + settings_.period : 0.0;
+            if (slipping_[i] > kSlipTime && load > 0.0) {
+                const double torque =
+                    given_[i] + mildGains_[i] * (rates_[static_cast<Eigen::Index>(i)] -
+                                                 sensors.wheels[i].rate);
+                friction_ = std::min(
+                    friction_, kBelowSlip * std::abs(torque) / (wheels_[i].radius * load));
             }
         }
         stalled_ = std::abs(sensors.bodySpeed) < kStalled * std::abs(asked)
@@ -259,6 +272,8 @@ class RollingController final : public Controller {
     Eigen::VectorXd rates_;         ///< at which nothing slips [rad/s]
     std::vector<double> optimum_;   ///< of least required friction [N m]
     std::vector<double> given_;     ///< by the model and the PID, in the last period [N m]
+    std::vector<double> mildGains_;  ///< what the mild loops give [N m s/rad]
+    std::vector<double> slipping_;  ///< for how long each wheel runs ahead [s]
     double integral_ = 0.0;         ///< common [N m]
     double friction_ = kFirstFriction;
     double pace_ = 1.0;     ///< of the rover over what is asked, so that no wheel is too fast

@@ -14,6 +14,15 @@ constexpr double kLoopTime = 0.005;
 
 }  // namespace
 
+double loopGain(double proportional, double inertia) {
+    return proportional / (1.0 + proportional * kLoopTime / inertia);
+}
+
+double axleInertia(const mechanism::Mechanism& mechanism, const mechanism::Wheel& wheel) {
+    const Mat3& inertia = mechanism.bodies[static_cast<std::size_t>(wheel.body)].inertia;
+    return wheel.axis.dot(inertia * wheel.axis) + wheel.rotorInertia;
+}
+
 WheelDrive::WheelDrive(const mechanism::Wheel& wheel, double inertia)
     : torqueLimit_(wheel.torqueLimit),
       speedLimit_(wheel.speedLimit),

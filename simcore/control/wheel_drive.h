@@ -4,6 +4,14 @@
 
 namespace simcore::control {
 
+/// What a P loop of a drive gives per rad/s, at usual steps [N m s/rad]: less than it is set to
+/// where the free wheel would answer within the loop's own time.
+/// @param inertia  of wheel and rotor about the axle [kg m^2]
+double loopGain(double proportional, double inertia);
+
+/// Of a wheel and its motor's rotor about the axle [kg m^2].
+double axleInertia(const mechanism::Mechanism& mechanism, const mechanism::Wheel& wheel);
+
 /// Motor and gearbox of one wheel: follows a WheelCommand within torque and speed limits, at the
 /// engine's step.
 ///

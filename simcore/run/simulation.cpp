@@ -41,11 +41,6 @@ control::ControllerSettings controllerSettings(const ResolvedRun& run) {
     return settings;
 }
 
-double axleInertia(const mechanism::Mechanism& mechanism, const mechanism::Wheel& wheel) {
-    const Mat3& inertia = mechanism.bodies[static_cast<std::size_t>(wheel.body)].inertia;
-    return wheel.axis.dot(inertia * wheel.axis) + wheel.rotorInertia;
-}
-
 }  // namespace
 
 struct Simulation::Impl {
@@ -127,7 +122,7 @@ Simulation::Impl::Impl(ResolvedRun settings, const dynamics::EngineMaker& makeEn
         bodyFinder.emplace(run.mechanism, *run.terrain, engine->contactMargin());
     }
     for (const mechanism::Wheel& wheel : run.mechanism.wheels) {
-        drives.emplace_back(wheel, axleInertia(run.mechanism, wheel));
+        drives.emplace_back(wheel, control::axleInertia(run.mechanism, wheel));
     }
     for (std::size_t i = 0; i < drives.size(); ++i) {
         const int joint = run.mechanism.wheels[i].steering;
