@@ -115,15 +115,20 @@ class RollingController final : public Controller {
         const bool holds = settings_.headingHold || settings_.kind == ControllerKind::Hybrid;
         const double turn =
             holds ? heading_.turn(sensors.imu, command.speed, command.turn) : command.turn;
-        const Eigen::VectorXd asked =
+        Eigen::VectorXd asked =
             estimate_.model().rollingRates(estimate_.contacts(), command.speed, turn);
         // Slower, but along the same way: at a wall the rover waits for the wheel that climbs.
         double fastest = 1.0;
+        const bool pushes = settings_.kind == ControllerKind::Hybrid;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            const auto w = static_cast<Eigen::Index>(i);
             const double most = std::min(
                 kFastest * std::max(std::abs(command.speed) / wheels_[i].radius, kSmallestRateCap),
                 wheels_[i].speedLimit);
-            fastest = std::max(fastest, std::abs(asked[static_cast<Eigen::Index>(i)]) / most);
+            if (pushes) {
+                asked[w] = std::clamp(asked[w], -most, most);
+            }
+            fastest = std::max(fastest, std::abs(asked[w]) / most);
         }
         const double share = settings_.period / (kSmoothing + settings_.period);
         rates_ += share * (asked / fastest - rates_);
