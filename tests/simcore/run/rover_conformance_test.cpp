@@ -59,6 +59,74 @@ TEST_P(RoverConformanceTest, LockedCartDoesNotCreepOnASlope) {
     }
 }
 
+// A cart whose axles are rusted fast slides down a slope steeper than its friction: what friction
+// takes is mu m g cos(slope) times the way, which weight gave and motion has not.
+TEST_P(RoverConformanceTest, FrictionWorkOfASlidingCartIsForceTimesWay) {
+    constexpr double kSlope = 0.5;
+    constexpr double kMu = 0.3;
+    Mechanism cart = makeCart();
+    for (mechanism::Joint& axle : cart.joints) {
+        axle.friction = 100.0;  // [N m]
+    }
+    ResolvedRun settings = runOf(tilted(cart, kSlope), slopeThroughOrigin(kSlope));
+    settings.friction = kMu;
+    settings.settle = 0.1;
+    settings.ramp = 0.0;
+    settings.duration = 1.0;
+    settings.controller = project::ControllerKind::Manual;
+    Simulation simulation(settings, GetParam().make);
+    (void)runToEnd(simulation, settings.settle);
+    const Vec3 start = simulation.snapshot().centerOfMass;
+    const RunReport report = runToEnd(simulation, settings.duration);
+    const double way = (simulation.snapshot().centerOfMass - start).norm();
+    ASSERT_GT(way, 0.5);
+    const double weight = settings.mechanism.mass() * dynamics::kGravity;
+    const double work = kMu * weight * std::cos(kSlope) * way;
+    EXPECT_NEAR(report.frictionWork, work, (GetParam().frictionSlack + 1e-3) * work);
+    // Boxes of friction let the cart turn by some degrees, so that it slides sideways, too.
+    EXPECT_NEAR(report.slipLoaded, 4.0 * way, (GetParam().frictionSlack + 1e-3) * way);
+    EXPECT_NEAR(report.slipAbs, report.slipLoaded, 1e-9);
+    double sum = 0.0;
+    for (const WheelReport& wheel : report.wheels) {
+        EXPECT_GT(wheel.frictionWork, 0.0) << wheel.name;
+        sum += wheel.frictionWork;
+    }
+    EXPECT_NEAR(sum, report.frictionWork, 1e-9 * work);
+}
+
+// Wheels that spin in free fall slip by definition, but not under load, and nothing rubs.
+TEST_P(RoverConformanceTest, FreeFlightIsNeitherLoadedSlipNorFrictionWork) {
+    ResolvedRun settings =
+        runOf(makeCart(), terrain::Terrain::extruded({{-5.0, -1.0}, {5.0, -1.0}}, -3.0, 3.0));
+    settings.settle = 0.0;
+    settings.ramp = 0.0;
+    settings.speed = 0.1;
+    settings.duration = 0.3;
+    Simulation simulation(settings, GetParam().make);
+    const RunReport report = runToEnd(simulation, settings.duration);
+    EXPECT_GT(report.slipAbs, 4.0 * 0.5 * settings.speed * settings.duration);
+    EXPECT_EQ(report.slipLoaded, 0.0);
+    EXPECT_EQ(report.frictionWork, 0.0);
+}
+
+// A wheel that rolls down a slope loses nothing to friction, but for the creep of sticking.
+TEST_P(RoverConformanceTest, RollingTakesNoFrictionWork) {
+    constexpr double kSlope = 0.2;
+    CartNumbers numbers;
+    numbers.torqueLimit = 0.0;
+    ResolvedRun settings = runOf(tilted(makeCart(numbers), -kSlope), slopeThroughOrigin(-kSlope));
+    settings.friction = 0.7;
+    settings.settle = 0.1;
+    settings.ramp = 0.0;
+    settings.duration = 1.0;
+    settings.distance = 10.0;
+    Simulation simulation(settings, GetParam().make);
+    const RunReport report = runToEnd(simulation, settings.duration);
+    ASSERT_GT(report.distance, 0.3);
+    const double weight = settings.mechanism.mass() * dynamics::kGravity;
+    EXPECT_LT(std::abs(report.frictionWork), 1e-4 * weight * std::sin(kSlope) * report.distance);
+}
+
 // Relaxed joints carry the same wheel loads to the same slip: they leave out only what repeats.
 TEST_P(RoverConformanceTest, RelaxedJointsGiveTheSameLoadsAndSlip) {
     ResolvedRun settings = shippedRun("solero", "rough-profile", 1.2);
