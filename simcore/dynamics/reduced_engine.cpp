@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "simcore/dynamics/contact_law.h"
 #include "simcore/dynamics/contact_memory.h"
 #include "simcore/dynamics/elastics.h"
 #include "simcore/dynamics/engine.h"
@@ -15,15 +16,6 @@
 namespace simcore::dynamics {
 namespace {
 
-// Contacts are stiff springs with dampers, solved implicitly: the same physics at every step. The
-// damping is critical for 6 kg, a rover's share on one wheel (assumed): with less, wheels bounce at
-// edges where the step is short enough to show it, and slip the more the shorter it is.
-constexpr double kContactStiffness = 1e6;  // [N/m]
-constexpr double kContactDamping = 5000;   // [N s/m]
-/// What a wheel that sticks creeps: 0.1 um/s per newton (assumed).
-constexpr double kStickingDamping = 1e7;  // [N s/m]
-/// Contacts are wanted from this far before they touch [m] (assumed).
-constexpr double kContactMargin = 1e-3;
 /// Agreement asked of contact forces [N].
 constexpr double kForceTolerance = 1e-3;
 /// A step is divided when the motion of a loop turns by more than this share in it, as it does next
@@ -288,7 +280,7 @@ void ReducedEngine::makeMass() {
 
 void ReducedEngine::makeContacts(const StepInput& input) {
     const double dt = dt_;
-    problem_.normalCompliance = 1.0 / (dt * (kContactStiffness * dt + kContactDamping));
+    problem_.normalCompliance = 1.0 / (dt * contactResistance(dt));
     problem_.tangentialCompliance = 1.0 / (dt * kStickingDamping);
     problem_.tolerance = kForceTolerance * dt;
     problem_.contacts.clear();
@@ -315,10 +307,7 @@ void ReducedEngine::makeContacts(const StepInput& input) {
         row.wrenches.col(1) = forceAt(touch.forward, arm);
         row.wrenches.col(2) = forceAt(side, arm);
         row.friction = input.frictions[i];
-        const double depth = depths_[i];
-        row.bound = depth > 0.0
-                        ? depth * kContactStiffness / (kContactStiffness * dt + kContactDamping)
-                        : depth / dt;
+        row.bound = contactRate(depths_[i], dt);
         row.impulse.setZero();
         if (const ContactMemory::Remembered* old = memory_.recall(touch)) {
             row.impulse = dt * Vec3(old->force.dot(touch.normal), old->force.dot(touch.forward),
