@@ -38,8 +38,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, RoverConformanceTest, ::testing::ValuesIn(engi
                          nameOfCase);
 
 // At rest for a minute on a 20 deg slope with its wheels locked, friction 0.7 (it needs 0.36): the
-// cart creeps along the slope by less than 0.1 mm. (Across it, wheels settle into the surface
-// layer.)
+// cart creeps along the slope by less than 0.1 mm, and does not sink into it.
 TEST_P(RoverConformanceTest, LockedCartDoesNotCreepOnASlope) {
     constexpr double kSlope = 20.0 * std::numbers::pi / 180.0;
     ResolvedRun settings = runOf(tilted(makeCart(), kSlope), slopeThroughOrigin(kSlope));
@@ -55,7 +54,7 @@ TEST_P(RoverConformanceTest, LockedCartDoesNotCreepOnASlope) {
     for (std::size_t i = 0; i < start.size(); ++i) {
         const Vec3 moved = simulation.snapshot().bodies[i].position - start[i].position;
         EXPECT_LT((moved - moved.dot(normal) * normal).norm(), 1e-4) << "body " << i;
-        EXPECT_LT(std::abs(moved.dot(normal)), 5e-4) << "body " << i;
+        EXPECT_LT(std::abs(moved.dot(normal)), 2e-5) << "body " << i;
     }
 }
 
@@ -151,7 +150,8 @@ TEST_P(RoverConformanceTest, RelaxedJointsGiveTheSameLoadsAndSlip) {
 }
 
 // Two engines that share no solver: constraints and boxes of friction against free rates and
-// cones. What a rough drive comes to is the same, but for what friction leaves open.
+// cones. What a rough drive comes to is the same, but for what friction leaves open: ODE's agrees to
+// 1 % with normal forces.
 TEST(EnginesAgreeTest, OnWheelLoadsEnergyAndWay) {
     for (const std::string rover : {"solero", "rocker_bogie", "rocker_bogie_steered"}) {
         SCOPED_TRACE(rover);
@@ -173,14 +173,33 @@ TEST(EnginesAgreeTest, OnWheelLoadsEnergyAndWay) {
         }
         for (std::size_t i = 0; i < reports[0].wheels.size(); ++i) {
             EXPECT_NEAR(reports[1].wheels[i].meanNormalForce, reports[0].wheels[i].meanNormalForce,
-                        0.03 * load)
+                        0.002 * load)
                 << reports[0].wheels[i].name;
         }
-        EXPECT_NEAR(reports[1].simTime, reports[0].simTime, 0.02 * reports[0].simTime);
-        EXPECT_NEAR(reports[1].energy, reports[0].energy, 0.05 * reports[0].energy);
-        EXPECT_LT((ends[1] - ends[0]).norm(), 0.02);
+        EXPECT_NEAR(reports[1].simTime, reports[0].simTime, 0.001 * reports[0].simTime);
+        EXPECT_NEAR(reports[1].energy, reports[0].energy, 0.002 * reports[0].energy);
+        EXPECT_NEAR(reports[1].slipAbs, reports[0].slipAbs, 0.02 * reports[0].slipAbs);
+        EXPECT_LT((ends[1] - ends[0]).norm(), 2e-4);
         EXPECT_EQ(reports[1].frictionViolationPercent, 0.0);
     }
+}
+
+// Torque-driven wheels are held at no speed, so that every bounce at an edge is slip: it takes the
+// same contacts to slip alike.
+TEST(EnginesAgreeTest, OnSlipWithEqualTorques) {
+    std::vector<RunReport> reports;
+    for (const auto engine : {project::EngineKind::Ode, project::EngineKind::Reduced}) {
+        ResolvedRun settings = shippedRun("solero", "rough-profile", 1.2);
+        settings.controller = project::ControllerKind::EqualTorque;
+        settings.engine = engine;
+        Simulation simulation(settings);
+        reports.push_back(runToEnd(simulation));
+        ASSERT_TRUE(reports.back().completed);
+    }
+    ASSERT_GT(reports[1].slipAbs, 0.005);
+    EXPECT_NEAR(reports[1].slipAbs, reports[0].slipAbs, 0.05 * reports[0].slipAbs);
+    EXPECT_NEAR(reports[1].slipLoaded, reports[0].slipLoaded, 0.1 * reports[0].slipLoaded);
+    EXPECT_NEAR(reports[1].energy, reports[0].energy, 0.005 * reports[0].energy);
 }
 
 namespace {
