@@ -215,9 +215,22 @@ def engines():
             f"{1000 * abs(other['distance_m'] - one['distance_m']):.1f}")
 
 
+def equal_torque():
+    """Slip of torque-driven wheels, in flight and under load. Steps next to each other tell the scatter."""
+    heading("step [ms]", "slip_abs [m]", "slip_loaded [m]", "air time [s]", "friction work [J]", "energy [J]",
+            "solves/step", "rtf")
+    for step in ("2", "1", "0.51", "0.5", "0.49"):
+        report = run("solero", "rough-profile", "equal-torque", "--dt", f"{float(step) / 1000:g}", "--duration", "20",
+                     "--distance", "100")
+        row(step, f"{report['slip_abs_m']:.4f}", f"{report['slip_loaded_m']:.4f}",
+            f"{sum(wheel['air_time_s'] for wheel in report['wheels']):.3f}", f"{report['friction_work_J']:.3f}",
+            *cells(report, ("energy [J]", "solves/step", "rtf")))
+
+
 TABLES = {"scenarios": scenarios, "grounds": grounds, "violation": violation, "step-length": step_length,
           "convergence": convergence, "critical-friction": critical_friction, "joints": joints,
-          "reference": reference, "reference-friction": reference_friction, "engines": engines}
+          "reference": reference, "reference-friction": reference_friction, "engines": engines,
+          "equal-torque": equal_torque}
 
 
 def main():

@@ -117,8 +117,10 @@ void printTable(const run::RunReport& report) {
         "{:.3g} ms\n",
         report.distance, report.simTime, report.wallTime, report.rtf, report.steps,
         1e3 * report.step);
-    fmt::print("  slip {:.4f} m absolute, {:.4f} m signed; drive energy {:.2f} J\n", report.slipAbs,
-               report.slipSigned, report.energy);
+    fmt::print("  slip {:.4f} m absolute, {:.4f} m of it loaded, {:.4f} m signed\n", report.slipAbs,
+               report.slipLoaded, report.slipSigned);
+    fmt::print("  drive energy {:.2f} J, friction work {:.3f} J\n", report.energy,
+               report.frictionWork);
     fmt::print(
         "  friction violation {:.2f} % (worst {:.0f} %), loop error {:.2g} mm, penetration {:.3f} "
         "mm\n",
@@ -133,18 +135,20 @@ void printTable(const run::RunReport& report) {
         fmt::print("  warning: {}\n", warning);
     }
     fmt::print("\n");
-    fmt::print("  {:<22}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "wheel", "slip [mm]", "signed [mm]",
-               "load [N]", "torque [Nm]", "air [s]");
+    fmt::print("  {:<22}{:>11}{:>12}{:>12}{:>10}{:>13}{:>9}{:>14}\n", "wheel", "slip [mm]",
+               "loaded [mm]", "signed [mm]", "load [N]", "torque [Nm]", "air [s]", "friction [J]");
     for (const run::WheelReport& wheel : report.wheels) {
-        fmt::print("  {:<22}{:>12.2f}{:>12.2f}{:>12.2f}{:>12.3f}{:>12.2f}\n", wheel.name,
-                   1e3 * wheel.slipAbs, 1e3 * wheel.slipSigned, wheel.meanNormalForce,
-                   wheel.maxTorque, wheel.airTime);
+        fmt::print("  {:<22}{:>11.2f}{:>12.2f}{:>12.2f}{:>10.2f}{:>13.3f}{:>9.2f}{:>14.3f}\n",
+                   wheel.name, 1e3 * wheel.slipAbs, 1e3 * wheel.slipLoaded, 1e3 * wheel.slipSigned,
+                   wheel.meanNormalForce, wheel.maxTorque, wheel.airTime, wheel.frictionWork);
     }
     if (!report.bodies.empty()) {
-        fmt::print("\n  {:<22}{:>12}{:>12}\n", "body on the ground", "time [s]", "force [N]");
+        fmt::print("\n  {:<22}{:>12}{:>12}{:>14}\n", "body on the ground", "time [s]", "force [N]",
+                   "friction [J]");
     }
     for (const run::BodyReport& body : report.bodies) {
-        fmt::print("  {:<22}{:>12.2f}{:>12.2f}\n", body.name, body.contactTime, body.maxForce);
+        fmt::print("  {:<22}{:>12.2f}{:>12.2f}{:>14.3f}\n", body.name, body.contactTime,
+                   body.maxForce, body.frictionWork);
     }
 }
 

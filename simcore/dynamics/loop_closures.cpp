@@ -444,8 +444,9 @@ bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
     return closed;
 }
 
-double LoopClosures::turnOf(std::span<const double> rates) const {
+double LoopClosures::turnOf(std::span<const double> rates, std::vector<double>& change) const {
     constexpr double kRest = 1e-3;  // [rad/s]
+    change.assign(rates.size(), 0.0);
     double turn = 0.0;
     for (const Cluster& cluster : clusters_) {
         double largest = kRest;
@@ -454,11 +455,12 @@ double LoopClosures::turnOf(std::span<const double> rates) const {
         }
         for (const int column : cluster.dependent) {
             const int rate = cluster.rates[static_cast<std::size_t>(column)];
-            double now = 0.0;
+            double& changed = change[static_cast<std::size_t>(rate)];
+            changed = -rates[static_cast<std::size_t>(rate)];
             for (const RateTerm& term : terms(rate)) {
-                now += term.factor * rates[static_cast<std::size_t>(rateOf(term.index))];
+                changed += term.factor * rates[static_cast<std::size_t>(rateOf(term.index))];
             }
-            turn = std::max(turn, std::abs(now - rates[static_cast<std::size_t>(rate)]) / largest);
+            turn = std::max(turn, std::abs(changed) / largest);
         }
     }
     return turn;

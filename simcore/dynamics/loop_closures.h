@@ -41,7 +41,8 @@ class LoopClosures {
 
     /// By how much the motion of loops turns from the pose where these rates were right to the pose
     /// closed last: change of a rate over the largest of its loop, where that is not next to rest.
-    double turnOf(std::span<const double> rates) const;
+    /// @param change  of every rate when the independent ones stay
+    double turnOf(std::span<const double> rates, std::vector<double>& change) const;
 
     /// Of the pivots that the last close() divided by, the smallest over the largest of its loop;
     /// the least of all loops. Near 0 the pose is a singular one.

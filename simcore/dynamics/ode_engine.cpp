@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "simcore/dynamics/contact_law.h"
 #include "simcore/dynamics/engine.h"
 #include "simcore/dynamics/friction_bounds.h"
 #include "simcore/dynamics/loop_closures.h"
@@ -21,12 +22,6 @@ struct BodyState {
 };
 
 constexpr std::size_t kNumbersPerBody = 13;
-/// Compliance of friction [m/(N s)]: what a wheel creeps when it should stick. With much less, only
-/// rounding tells how wheels that work against each other share a load.
-constexpr double kFrictionCompliance = 1e-7;
-/// Share of a contact's depth that is pushed out in one step: soft, else every edge throws the
-/// rover.
-constexpr double kContactErrorReduction = 0.2;
 /// Solves per step at most: the friction bounds must agree with the normal forces of this step.
 constexpr int kMaxPasses = 12;
 /// Repetitions of a solve that ODE gave up, and by how much, relatively, they change its friction
@@ -39,6 +34,8 @@ class OdeEngine final : public Engine {
     OdeEngine(const mechanism::Mechanism& mechanism, const EngineSettings& settings);
 
     std::string name() const override { return "ode"; }
+
+    double contactMargin() const override { return kContactMargin; }
 
     void reset() override;
     void step(const StepInput& input) override;
@@ -225,10 +222,13 @@ void OdeEngine::makeContacts(const StepInput& input, int repetition) {
         const contact::Contact& touch = input.contacts[i];
         const FrictionBox& box = bounds_.box(i);
         dContact c{};
-        c.surface.mode =
-            dContactMu2 | dContactFDir1 | dContactSlip1 | dContactSlip2 | dContactSoftERP;
-        c.surface.soft_erp = kContactErrorReduction;
-        c.surface.slip1 = c.surface.slip2 = kFrictionCompliance;
+        c.surface.mode = dContactMu2 | dContactFDir1 | dContactSlip1 | dContactSlip2 |
+                         dContactSoftERP | dContactSoftCFM | dContactMotionN;
+        // The rate that is asked for is given whole: ODE's own share of the depth is none.
+        c.surface.soft_erp = 0.0;
+        c.surface.soft_cfm = 1.0 / contactResistance(settings_.step);
+        c.surface.motionN = contactRate(touch.depth, settings_.step);
+        c.surface.slip1 = c.surface.slip2 = 1.0 / kStickingDamping;
         if (box.fromNormalForce) {
             c.surface.mode |= dContactApprox1;
             c.surface.mu = c.surface.mu2 = input.frictions[i];

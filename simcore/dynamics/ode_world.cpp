@@ -36,8 +36,6 @@ class ThreadData {
 // slightly elastic (1.25 N per nm at 2 ms): much stiffer, and round-off alone strains them enough
 // to make wheels slide sideways.
 constexpr double kCompliance = 4e-7;
-// Depth of a resting contact [m]: without it contacts are made and lost at every other step.
-constexpr double kSurfaceLayer = 0.0005;
 
 }  // namespace
 
@@ -60,7 +58,6 @@ OdeWorld::OdeWorld() {
     contactGroup_ = dJointGroupCreate(0);
     dWorldSetERP(world_, kJointErrorReduction);
     dWorldSetCFM(world_, kCompliance);
-    dWorldSetContactSurfaceLayer(world_, kSurfaceLayer);
     // A sleeping rover would read as one without slip.
     dWorldSetAutoDisableFlag(world_, 0);
     dWorldSetDamping(world_, 0.0, 0.0);

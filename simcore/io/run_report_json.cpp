@@ -18,8 +18,10 @@ Json toJson(const run::WheelReport& wheel) {
     Json json;
     json["name"] = wheel.name;
     json["slip_abs_m"] = number(wheel.slipAbs);
+    json["slip_loaded_m"] = number(wheel.slipLoaded);
     json["slip_signed_m"] = number(wheel.slipSigned);
     json["slip_lateral_m"] = number(wheel.slipLateral);
+    json["friction_work_J"] = number(wheel.frictionWork);
     json["mean_normal_force_N"] = number(wheel.meanNormalForce);
     json["max_torque_Nm"] = number(wheel.maxTorque);
     json["energy_J"] = number(wheel.energy);
@@ -32,6 +34,7 @@ Json toJson(const run::BodyReport& body) {
     json["name"] = body.name;
     json["contact_time_s"] = number(body.contactTime);
     json["max_force_N"] = number(body.maxForce);
+    json["friction_work_J"] = number(body.frictionWork);
     return json;
 }
 
@@ -69,8 +72,10 @@ run::WheelReport wheelFrom(const nlohmann::json& json) {
     run::WheelReport wheel;
     take(json, "name", wheel.name);
     take(json, "slip_abs_m", wheel.slipAbs);
+    take(json, "slip_loaded_m", wheel.slipLoaded);
     take(json, "slip_signed_m", wheel.slipSigned);
     take(json, "slip_lateral_m", wheel.slipLateral);
+    take(json, "friction_work_J", wheel.frictionWork);
     take(json, "mean_normal_force_N", wheel.meanNormalForce);
     take(json, "max_torque_Nm", wheel.maxTorque);
     take(json, "energy_J", wheel.energy);
@@ -83,6 +88,7 @@ run::BodyReport bodyFrom(const nlohmann::json& json) {
     take(json, "name", body.name);
     take(json, "contact_time_s", body.contactTime);
     take(json, "max_force_N", body.maxForce);
+    take(json, "friction_work_J", body.frictionWork);
     return body;
 }
 
@@ -125,7 +131,9 @@ run::RunReport parseReport(const std::string& text) {
     take(json, "stop_detail", report.stopDetail);
     take(json, "distance_m", report.distance);
     take(json, "slip_abs_m", report.slipAbs);
+    take(json, "slip_loaded_m", report.slipLoaded);
     take(json, "slip_signed_m", report.slipSigned);
+    take(json, "friction_work_J", report.frictionWork);
     takeAll(json, "wheels", wheelFrom, report.wheels);
     takeAll(json, "body_contacts", bodyFrom, report.bodies);
     take(json, "energy_J", report.energy);
@@ -168,7 +176,9 @@ Json toJson(const run::RunReport& report) {
     json["stop_detail"] = report.stopDetail;
     json["distance_m"] = number(report.distance);
     json["slip_abs_m"] = number(report.slipAbs);
+    json["slip_loaded_m"] = number(report.slipLoaded);
     json["slip_signed_m"] = number(report.slipSigned);
+    json["friction_work_J"] = number(report.frictionWork);
     json["wheels"] = Json::array();
     for (const run::WheelReport& wheel : report.wheels) {
         json["wheels"].push_back(toJson(wheel));

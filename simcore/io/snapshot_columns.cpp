@@ -47,8 +47,10 @@ void forEachNumber(Snapshot& s, F&& f) {
         f(name + "center_speed", w.centerSpeed);
         f(name + "slip_ratio", w.slipRatio);
         f(name + "slip_abs", w.slipAbs);
+        f(name + "slip_loaded", w.slipLoaded);
         f(name + "slip_signed", w.slipSigned);
         f(name + "slip_lateral", w.slipLateral);
+        f(name + "friction_work", w.frictionWork);
         f(name + "torque_commanded", w.torqueCommanded);
         f(name + "torque_applied", w.torqueApplied);
         f(name + "power", w.power);

@@ -121,6 +121,10 @@ constexpr std::array kWheel{
         "slip_abs", "Slip (absolute)", "s_abs", "m", kOracle,
         "Sum of the absolute slip of consecutive 20 ms windows since counting began.",
         [](const WheelSource& w) { return w.state.slipAbs; }},
+    Column<WheelSource>{
+        "slip_loaded", "Slip (loaded)", "s_N", "m", kOracle,
+        "The same of the time in which the wheel carries load: free flight is not in it.",
+        [](const WheelSource& w) { return w.state.slipLoaded; }},
     Column<WheelSource>{"slip_signed", "Slip (signed)", "s", "m", kOracle,
                         "Sum of wheel-centre travel minus turn times effective radius; negative "
                         "when the wheel spins.",
@@ -132,6 +136,9 @@ constexpr std::array kWheel{
         "slip_lateral", "Slip (lateral)", "s_lat", "m", kOracle,
         "Sum of the absolute motion of the wheel centre along the axle since counting began.",
         [](const WheelSource& w) { return w.state.slipLateral; }},
+    Column<WheelSource>{"friction_work", "Friction work", "W_μ", "J", kOracle,
+                        "Energy that friction took where the wheel slid since counting began.",
+                        [](const WheelSource& w) { return w.state.frictionWork; }},
     Column<WheelSource>{"torque_commanded", "Torque (commanded)", "τ_c", "N*m", kKnown,
                         "Motor torque the controller asked for, positive drives forward.",
                         [](const WheelSource& w) { return w.state.torqueCommanded; }},

@@ -55,6 +55,8 @@ struct Simulation::Impl {
     void updateSnapshot();
     void measure();
     void measureBodies();
+    void measureFrictionWork();
+    void reportSlip();
     void checkEnd();
     std::string blownUpBody() const;
     std::string whyStuck() const;
@@ -333,6 +335,9 @@ void Simulation::Impl::measure() {
             std::max(0.0, engine->contactForces()[i].dot(contact.normal));
     }
     measureBodies();
+    if (count) {
+        measureFrictionWork();
+    }
     if (now.time > run.settle) {
         friction.observe(contacts, engine->contactForces(), frictions);
         loopErrorMax = std::max(loopErrorMax, loopError.measure(engine->poses()));
@@ -345,13 +350,35 @@ void Simulation::Impl::measure() {
         if (commands[i].mode == control::WheelMode::Lock) {
             state.torqueApplied = brakeTorque(run.mechanism.wheels[i]);
         }
-        wheels[i].slipAbs = state.slipAbs;
-        wheels[i].slipSigned = state.slipSigned;
-        wheels[i].slipLateral = state.slipLateral;
         if (count) {
             wheels[i].airTime += state.touching ? 0.0 : run.step;
             loadSums[i] += state.normalForce * run.step;
         }
+        state.frictionWork = wheels[i].frictionWork;
+    }
+    reportSlip();
+}
+
+void Simulation::Impl::reportSlip() {
+    for (std::size_t i = 0; i < wheels.size(); ++i) {
+        wheels[i].slipAbs = now.wheels[i].slipAbs;
+        wheels[i].slipLoaded = now.wheels[i].slipLoaded;
+        wheels[i].slipSigned = now.wheels[i].slipSigned;
+        wheels[i].slipLateral = now.wheels[i].slipLateral;
+    }
+}
+
+// Of the rates after the step, which are those that engines move bodies with in it.
+void Simulation::Impl::measureFrictionWork() {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const contact::Contact& contact = contacts[i];
+        const auto body = static_cast<std::size_t>(bodyOf(contact, run.mechanism));
+        const dynamics::BodyVelocity& rates = engine->velocities()[body];
+        const Vec3 arm = contact.point - before[body] * run.mechanism.bodies[body].com;
+        const double work = run.step * frictionPower(contact, engine->contactForces()[i],
+                                                     rates.linear + rates.angular.cross(arm));
+        (contact.wheel >= 0 ? wheels[static_cast<std::size_t>(contact.wheel)].frictionWork
+                            : bodies[body].frictionWork) += work;
     }
 }
 
@@ -417,11 +444,7 @@ void Simulation::Impl::checkEnd() {
     }
     if (reason != StopReason::Running) {
         observer.closeWindow(now.wheels);
-        for (std::size_t i = 0; i < wheels.size(); ++i) {
-            wheels[i].slipAbs = now.wheels[i].slipAbs;
-            wheels[i].slipSigned = now.wheels[i].slipSigned;
-            wheels[i].slipLateral = now.wheels[i].slipLateral;
-        }
+        reportSlip();
     }
 }
 
@@ -482,11 +505,16 @@ RunReport Simulation::report() const {
     const double counted = s.now.time - s.run.settle - s.run.ramp;
     for (std::size_t i = 0; i < report.wheels.size(); ++i) {
         report.slipAbs += report.wheels[i].slipAbs;
+        report.slipLoaded += report.wheels[i].slipLoaded;
         report.slipSigned += report.wheels[i].slipSigned;
+        report.frictionWork += report.wheels[i].frictionWork;
         report.wheels[i].meanNormalForce = counted > 0.0 ? s.loadSums[i] / counted : 0.0;
     }
     std::copy_if(s.bodies.begin(), s.bodies.end(), std::back_inserter(report.bodies),
                  [](const BodyReport& body) { return body.contactTime > 0.0; });
+    for (const BodyReport& body : report.bodies) {
+        report.frictionWork += body.frictionWork;
+    }
     report.energy = s.energy;
     report.stateHash = s.hashText();
     report.frictionViolationPercent = s.friction.violationPercent();

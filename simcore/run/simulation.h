@@ -85,17 +85,19 @@ std::string toString(StopReason reason);
 
 struct WheelReport {
     std::string name;
-    double slipAbs = 0.0, slipSigned = 0.0, slipLateral = 0.0;  ///< [m]
-    double meanNormalForce = 0.0, maxTorque = 0.0;              ///< [N], [N m]
-    double energy = 0.0;                                        ///< drive work, positive part [J]
-    double airTime = 0.0;                                       ///< [s]
+    double slipAbs = 0.0, slipLoaded = 0.0, slipSigned = 0.0, slipLateral = 0.0;  ///< [m]
+    double frictionWork = 0.0;                                                    ///< [J]
+    double meanNormalForce = 0.0, maxTorque = 0.0;                                ///< [N], [N m]
+    double energy = 0.0;   ///< drive work, positive part [J]
+    double airTime = 0.0;  ///< [s]
 };
 
 /// A body that is no wheel and touched the ground.
 struct BodyReport {
     std::string name;
-    double contactTime = 0.0;  ///< with a contact force [s]
-    double maxForce = 0.0;     ///< largest sum of its contact forces [N]
+    double contactTime = 0.0;   ///< with a contact force [s]
+    double maxForce = 0.0;      ///< largest sum of its contact forces [N]
+    double frictionWork = 0.0;  ///< [J]
 };
 
 /// What a run came to. docs/csv.md and docs/run-report.md define every number.
@@ -109,7 +111,8 @@ struct RunReport {
     StopReason stopReason = StopReason::Running;
     std::string stopDetail;  ///< e.g. the body that went non-finite
     double distance = 0.0;
-    double slipAbs = 0.0, slipSigned = 0.0;
+    double slipAbs = 0.0, slipLoaded = 0.0, slipSigned = 0.0;
+    double frictionWork = 0.0;  ///< at the contacts of wheels and other bodies [J]
     std::vector<WheelReport> wheels;
     std::vector<BodyReport> bodies;  ///< those that touched the ground, mechanism order
     double energy = 0.0;

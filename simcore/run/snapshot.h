@@ -22,8 +22,10 @@ struct WheelState {
     double centerSpeed = 0.0;      ///< wheel centre along the contact tangent [m/s]
     double slipRatio = 0.0;        ///< (wR - v)/max(|wR|, |v|, 0.01 m/s) [-]
     double slipAbs = 0.0;          ///< cumulated |slip| since the start of counting [m]
+    double slipLoaded = 0.0;       ///< the same of steps in which the wheel carries load [m]
     double slipSigned = 0.0;       ///< cumulated paper eq. 6 [m]
     double slipLateral = 0.0;      ///< cumulated |motion| of the centre along the axle [m]
+    double frictionWork = 0.0;     ///< cumulated, lost where the wheel slides [J]
     double torqueCommanded = 0.0;  ///< [N m], + drives forward
     double torqueApplied = 0.0;    ///< after limits [N m]
     double power = 0.0;            ///< applied torque times rate against the carrier [W]

@@ -11,9 +11,21 @@ constexpr double kSlowest = 0.01;
 
 }  // namespace
 
+double leastLoad(const mechanism::Mechanism& mechanism) {
+    constexpr double kLoadedShare = 0.02;
+    const auto wheels = static_cast<double>(std::max<std::size_t>(1, mechanism.wheels.size()));
+    return kLoadedShare * mechanism.mass() * dynamics::kGravity / wheels;
+}
+
+double frictionPower(const contact::Contact& contact, const Vec3& force, const Vec3& velocity) {
+    const Vec3 tangential = force - force.dot(contact.normal) * contact.normal;
+    return -tangential.dot(velocity);
+}
+
 WheelObserver::WheelObserver(const mechanism::Mechanism& mechanism, double step)
     : mechanism_(mechanism),
-      step_(step) {
+      step_(step),
+      leastLoad_(leastLoad(mechanism)) {
     reset();
 }
 
@@ -96,6 +108,7 @@ void WheelObserver::observeMotion(std::size_t wheel, const Pose& before, const P
                       std::max({std::abs(rim), std::abs(state.centerSpeed), kSlowest});
     if (countSlip) {
         windows_[wheel].slip += slip;
+        windows_[wheel].loaded += state.normalForce > leastLoad_ ? slip : 0.0;
         windows_[wheel].lateral += moved.dot(axis);
     }
 }
@@ -120,6 +133,7 @@ void WheelObserver::observe(const dynamics::Engine& engine, const std::vector<Po
 void WheelObserver::closeWindow(std::vector<WheelState>& states) {
     for (std::size_t i = 0; i < states.size(); ++i) {
         states[i].slipAbs += std::abs(windows_[i].slip);
+        states[i].slipLoaded += std::abs(windows_[i].loaded);
         states[i].slipSigned += windows_[i].slip;
         states[i].slipLateral += std::abs(windows_[i].lateral);
         windows_[i] = {};
@@ -128,12 +142,10 @@ void WheelObserver::closeWindow(std::vector<WheelState>& states) {
 }
 
 FrictionMeter::FrictionMeter(const mechanism::Mechanism& mechanism, const terrain::Terrain& terrain)
-    : obstacles_(terrain.obstacleRange()) {
+    : leastLoad_(leastLoad(mechanism)),
+      obstacles_(terrain.obstacleRange()) {
     constexpr std::size_t kContactRoom = 256;
     used_.reserve(kContactRoom);
-    constexpr double kLoadedShare = 0.02;
-    const auto wheels = static_cast<double>(std::max<std::size_t>(1, mechanism.wheels.size()));
-    smallestLoad_ = kLoadedShare * mechanism.mass() * dynamics::kGravity / wheels;
 }
 
 void FrictionMeter::reset() {
@@ -182,7 +194,7 @@ void FrictionMeter::observe(std::span<const contact::Contact> contacts,
             limit += frictions[k] * n;
             tangential += forces[k] - n * normal;
         }
-        if (load > smallestLoad_) {
+        if (load > leastLoad_) {
             ++pending_.patches;
             if (limit > 0.0) {
                 pending_.worst =

@@ -12,6 +12,15 @@ namespace simcore::run {
 /// Length of the windows in which slip is summed before its absolute value is taken [s].
 inline constexpr double kSlipWindow = 0.02;
 
+/// A wheel or patch that carries less does not count as loaded: 2 % (assumed) of the mean wheel
+/// load [N].
+double leastLoad(const mechanism::Mechanism& mechanism);
+
+/// What a contact's friction takes from a body that slides over the ground [W].
+/// @param force     of the ground on the body [N], world
+/// @param velocity  of the body's point that touches [m/s], world
+double frictionPower(const contact::Contact& contact, const Vec3& force, const Vec3& velocity);
+
 /// Rolling frame of a wheel at its contact: held while the wheel is in the air.
 struct RollingFrame {
     Vec3 normal = Vec3::UnitZ();   ///< force-weighted mean, world
@@ -35,6 +44,7 @@ class WheelObserver {
   private:
     struct Window {
         double slip = 0.0;
+        double loaded = 0.0;  ///< of it, while the wheel carried load
         double lateral = 0.0;
     };
 
@@ -46,6 +56,7 @@ class WheelObserver {
 
     const mechanism::Mechanism& mechanism_;
     double step_;
+    double leastLoad_;
     double windowTime_ = 0.0;
     std::vector<RollingFrame> frames_;
     std::vector<Window> windows_;
@@ -72,7 +83,7 @@ class FrictionMeter {
 
     bool onObstacle(std::span<const contact::Contact> contacts) const;
 
-    double smallestLoad_;
+    double leastLoad_;
     std::pair<double, double> obstacles_;
     bool started_ = false;
     Count certain_;  ///< up to the last obstacle contact so far

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "simcore/dynamics/engine.h"
+#include "simcore/run/simulation.h"
+#include "tests/support/carts.h"
 #include "tests/support/engine_cases.h"
 #include "tests/support/linkages.h"
 
@@ -106,6 +108,82 @@ TEST_P(ChangePointTest, KeepsEnergyOrSaysThatItCannot) {
     } else {
         EXPECT_NE(passage.trouble.find("the loop of joints a, b, c, d"), std::string::npos)
             << passage.trouble;
+    }
+}
+
+/// Four bars of some millimetres.
+FourBar smallBars() {
+    FourBar bars;
+    bars.ground = 0.0030;
+    bars.crank = 0.0010;
+    bars.coupler = 0.0028;
+    bars.follower = 0.0022;
+    return bars;
+}
+
+// A crank thrown on by many turns in one step, however short its parts, leads to no pose at which
+// the loop closes. The engine says so and does not pretend. From its start it goes on as ever.
+TEST(OpenLoopTest, StepThatCannotBeClosedIsTrouble) {
+    const Mechanism mechanism = smallBars().make(1.0);
+    const auto engine = dynamics::makeReducedEngine(mechanism, {0.02, 0.0});
+    const dynamics::JointMotor thrown{0, 5e4, 1e12};
+    engine->step({{}, {}, {}, {}, {&thrown, 1}});
+    EXPECT_EQ(engine->trouble(), "the loop of joints a, b, c, d cannot be closed");
+    EXPECT_GT(engine->counters().dividedSteps, 0);
+    engine->reset();
+    EXPECT_EQ(engine->trouble(), "");
+    const dynamics::JointMotor turned{0, 5.0, 1e12};
+    for (int i = 0; i < 100; ++i) {
+        engine->step({{}, {}, {}, {}, {&turned, 1}});
+    }
+    EXPECT_EQ(engine->trouble(), "");
+    EXPECT_LT(dynamics::loopError(mechanism, engine->poses()), 1e-9);
+}
+
+// The run ends before that step, with the state that it started from.
+TEST(OpenLoopTest, EndsTheRunAndNamesTheLoop) {
+    Mechanism cart = makeCart();
+    const Mechanism bars = smallBars().make(1.0);
+    const int first = static_cast<int>(cart.bodies.size()) - 1;  // the frame is the chassis
+    for (std::size_t i = 1; i < bars.bodies.size(); ++i) {
+        cart.bodies.push_back(bars.bodies[i]);
+        cart.bodies.back().inertia = 1e-6 * Mat3::Identity();
+    }
+    for (mechanism::Joint joint : bars.joints) {
+        joint.first += joint.first > 0 ? first : 0;
+        joint.second += first;
+        cart.joints.push_back(joint);
+    }
+    mechanism::Spring thrower;
+    thrower.joint = static_cast<int>(cart.joints.size() - bars.joints.size());
+    thrower.first = cart.joints[static_cast<std::size_t>(thrower.joint)].first;
+    thrower.second = cart.joints[static_cast<std::size_t>(thrower.joint)].second;
+    thrower.preload = 10.0;  // [N m]
+    cart.springs = {thrower};
+    run::ResolvedRun settings = runOf(cart, levelGround());
+    settings.engine = project::EngineKind::Reduced;
+    settings.step = 0.02;
+    run::Simulation simulation(settings);
+    const run::RunReport report = runToEnd(simulation, 1.0);
+    EXPECT_EQ(run::toString(report.stopReason), "singular-pose");
+    EXPECT_EQ(report.stopDetail, "the loop of joints a, b, c, d cannot be closed");
+    EXPECT_FALSE(report.completed);
+    EXPECT_LT(dynamics::loopError(cart, simulation.snapshot().bodies), 1e-9);
+}
+
+// A joint has one place, which both its bodies take from the drawn pose: no change of a parameter
+// can draw a loop that is open. Bars of any lengths that can be drawn start closed.
+TEST(OpenLoopTest, NothingThatCanBeDrawnStartsOpen) {
+    for (const double coupler : {0.03, 0.28, 0.41}) {  // 0.02 to 0.42 m can be drawn
+        FourBar bars;
+        bars.coupler = coupler;
+        const Mechanism mechanism = bars.make(0.0);
+        EXPECT_TRUE(dynamics::whyReducedCannotRun(mechanism).empty());
+        const auto engine = dynamics::makeReducedEngine(mechanism, {kStep, 9.81});
+        EXPECT_EQ(dynamics::loopError(mechanism, engine->poses()), 0.0);
+        engine->step({});
+        EXPECT_EQ(engine->trouble(), "");
+        EXPECT_LT(dynamics::loopError(mechanism, engine->poses()), 1e-10);
     }
 }
 

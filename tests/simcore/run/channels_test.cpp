@@ -80,11 +80,13 @@ TEST_F(ChannelsTest, EachWheelValueLandsInItsOwnColumn) {
     wheel.power = 13;
     wheel.penetration = 14;
     wheel.force = Vec3(15, 16, 17);
+    wheel.slipLoaded = 18;
+    wheel.frictionWork = 19;
     const std::vector<std::string> quantities{
         "slip_abs",       "slip_signed",  "slip_ratio",     "slip_lateral",  "torque_commanded",
         "torque_applied", "normal_force", "traction_force", "lateral_force", "contact_angle",
         "rate",           "center_speed", "power",          "penetration",   "force_x",
-        "force_y",        "force_z"};
+        "force_y",        "force_z",      "slip_loaded",    "friction_work"};
     for (std::size_t i = 0; i < quantities.size(); ++i) {
         EXPECT_EQ(value(quantities[i], "bogie_left_rear"), static_cast<double>(i + 1))
             << quantities[i];

@@ -223,6 +223,36 @@ TEST_F(WheelObserverTest, RollingFrameIsHeldInTheAir) {
     EXPECT_LT(state().slipAbs, 1e-12);
 }
 
+// Of 10 steps of 1 mm, 4 in the air and 2 with less than 2 % of the weight, 4 are loaded slip.
+TEST_F(WheelObserverTest, LoadedSlipIsThatOfStepsUnderLoad) {
+    const double least = leastLoad(mechanism);
+    EXPECT_DOUBLE_EQ(least, 0.02 * 2.0 * 9.81) << "two bodies of 1 kg, one wheel";
+    const auto moveUnder = [&](int steps, double load) {
+        engine.forces = {load * Vec3::UnitZ()};
+        for (int i = 0; i < steps; ++i) {
+            move({0.001, 0.0, 0.0}, 0.0);
+        }
+    };
+    moveUnder(4, 20.0);
+    moveUnder(4, 0.0);
+    moveUnder(2, 0.99 * least);
+    EXPECT_NEAR(state().slipAbs, 0.010, 1e-12);
+    EXPECT_NEAR(state().slipLoaded, 0.004, 1e-12);
+    moveUnder(kStepsPerWindow, 1.01 * least);
+    EXPECT_NEAR(state().slipLoaded, 0.014, 1e-12);
+}
+
+// What presses does no friction work, nor does what moves along the normal: 3 N against 2 m/s.
+TEST(FrictionPowerTest, IsTangentialForceAgainstSliding) {
+    contact::Contact contact;
+    contact.normal = Vec3(-0.6, 0.0, 0.8);
+    const Vec3 tangent(0.8, 0.0, 0.6);
+    const Vec3 force = 10.0 * contact.normal - 3.0 * tangent + Vec3(0.0, 5.0, 0.0);
+    EXPECT_NEAR(frictionPower(contact, force, 2.0 * tangent - 7.0 * contact.normal), 6.0, 1e-12);
+    EXPECT_NEAR(frictionPower(contact, force, 4.0 * contact.normal), 0.0, 1e-12);
+    EXPECT_NEAR(frictionPower(contact, force, -Vec3::UnitY()), 5.0, 1e-12);
+}
+
 // At floor and wall the normal is the mean weighted by force: 3 against 4 give atan(4/3).
 TEST_F(WheelObserverTest, ContactAngleIsWeightedByForce) {
     contact::Contact wall;
