@@ -118,7 +118,9 @@ Outcome drive(const project::Project& project, const Plan& plan, const Case& wha
     outcome.completed = report.stopReason == run::StopReason::Completed;
     outcome.stopReason = run::toString(report.stopReason);
     outcome.slipAbs = report.slipAbs;
+    outcome.slipLoaded = report.slipLoaded;
     outcome.slipSigned = report.slipSigned;
+    outcome.frictionWork = report.frictionWork;
     outcome.energy = report.energy;
     for (const run::WheelReport& wheel : report.wheels) {
         outcome.peakTorque = std::max(outcome.peakTorque, wheel.maxTorque);
