@@ -35,8 +35,16 @@ QString controllerTitle(ControllerKind kind) {
     switch (kind) {
         case ControllerKind::Speed:
             return RunBar::tr("Speed control");
+        case ControllerKind::Synchronised:
+            return RunBar::tr("Synchronised speeds");
+        case ControllerKind::CommonIntegral:
+            return RunBar::tr("Common integral");
         case ControllerKind::EqualTorque:
             return RunBar::tr("Equal torque");
+        case ControllerKind::Torque:
+            return RunBar::tr("Torque control");
+        case ControllerKind::Hybrid:
+            return RunBar::tr("Hybrid");
         case ControllerKind::Manual:
             break;
     }
