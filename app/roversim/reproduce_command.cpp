@@ -183,16 +183,18 @@ int reproduce(const Options& options) {
     // In the plan's order, whichever worker was first.
     std::vector<Outcome> sorted;
     for (const experiment::Case& what : *cases) {
-        const auto found = std::find_if(outcomes.begin(), outcomes.end(),
-                                        [&](const Outcome& outcome) { return outcome.ran == what; });
+        const auto found =
+            std::find_if(outcomes.begin(), outcomes.end(),
+                         [&](const Outcome& outcome) { return outcome.ran == what; });
         if (found != outcomes.end()) {
             sorted.push_back(*found);
         }
     }
     const auto comparisons = experiment::compare(*plan, sorted);
     if (!options.folder.empty()) {
-        for (const auto& [name, text] : {std::pair("-runs.csv", io::runsTable(sorted)),
-                                         std::pair("-summary.csv", io::summaryTable(comparisons))}) {
+        for (const auto& [name, text] :
+             {std::pair("-runs.csv", io::runsTable(sorted)),
+              std::pair("-summary.csv", io::summaryTable(comparisons))}) {
             const auto saved = io::writeFileAtomically(folder / (options.set + name), text);
             printProblems(options.folder, saved.problems());
             if (!saved) {

@@ -79,9 +79,9 @@ nlohmann::ordered_json toJson(const statics::Study& study) {
 }
 
 void print(const statics::Study& study) {
-    fmt::print("{} equations, {} internal reactions left out: M is {} x {}, solutions of dimension {}\n",
-               study.equations, study.internalReactions, study.rows, study.unknowns,
-               study.dimension);
+    fmt::print(
+        "{} equations, {} internal reactions left out: M is {} x {}, solutions of dimension {}\n",
+        study.equations, study.internalReactions, study.rows, study.unknowns, study.dimension);
     if (study.equalTorque) {
         fmt::print("equal torques {:.4f} N m ask for a friction of {:.4f}\n", *study.equalTorque,
                    study.equalMaxRatio);
@@ -145,14 +145,16 @@ void addStaticsCommand(CLI::App& app, int& exitCode) {
     CLI::App* command = app.add_subcommand(
         "statics", "Forces, torques and required friction where a rover stands or creeps");
     command->add_option("FILE", options->file, "Project file (.rover)")->required();
-    command->add_option("--contact", options->angles,
-                        "WHEEL=DEG, contact angle of a wheel (90 = a wall ahead; may be repeated)")
+    command
+        ->add_option("--contact", options->angles,
+                     "WHEEL=DEG, contact angle of a wheel (90 = a wall ahead; may be repeated)")
         ->allow_extra_args(false);
     command->add_option("--model", options->model, "Joints")
         ->check(CLI::IsMember({"built", "relaxed"}))
         ->capture_default_str();
-    command->add_option("--contacts", options->contacts,
-                        "14: lateral forces only where none is freed; 18: at every wheel")
+    command
+        ->add_option("--contacts", options->contacts,
+                     "14: lateral forces only where none is freed; 18: at every wheel")
         ->check(CLI::IsMember({14, 18}));
     command->add_option("--set", options->set, "NAME=VALUE, set a parameter (may be repeated)")
         ->allow_extra_args(false);

@@ -19,8 +19,7 @@ class BodySpeedLoop {
           derivative_(settings.derivative) {
         // Quick against a rover of 0.1 m/s, slow against a period of 10 ms [rad/s] (assumed).
         constexpr double kFrequency = 6.0;
-        const auto n =
-            static_cast<double>(std::max<std::size_t>(1, mechanism.wheels.size()));
+        const auto n = static_cast<double>(std::max<std::size_t>(1, mechanism.wheels.size()));
         const double radius = mechanism.wheels.empty() ? 0.1 : mechanism.wheels.front().radius;
         const double unit = radius * mechanism.mass() / n;
         proportional_ = proportional_ > 0.0 ? proportional_ : 2.0 * kFrequency * unit;
@@ -44,8 +43,7 @@ class BodySpeedLoop {
         started_ = true;
         // Anti-windup: the integral alone never asks for more than the motors have.
         if (!held || error * integral_ < 0.0) {
-            integral_ =
-                std::clamp(integral_ + integralGain_ * error * period_, -limit_, limit_);
+            integral_ = std::clamp(integral_ + integralGain_ * error * period_, -limit_, limit_);
         }
         return proportional_ * error + integral_ + derivative_ * change;
     }

@@ -30,9 +30,9 @@ constexpr double kLiftedGain = 0.1;
 constexpr double kRateCap = 1.5;
 constexpr double kSmallestRateCap = 0.3;
 // The friction that is learned from slip: where it begins and what it comes back to, with which
-// rate [1/s]; by how much [rad/s] and for how long [s] a wheel runs ahead when it slips, rather than
-// comes to an edge; and what it is then set to, over what the wheel gave (all assumed, no ground is
-// known).
+// rate [1/s]; by how much [rad/s] and for how long [s] a wheel runs ahead when it slips, rather
+// than comes to an edge; and what it is then set to, over what the wheel gave (all assumed, no
+// ground is known).
 constexpr double kFirstFriction = 0.9;
 constexpr double kFrictionRecovery = 0.1;
 constexpr double kSlips = 0.3;
@@ -192,8 +192,8 @@ class RollingController final : public Controller {
             out[i] = {};
             out[i].mode = WheelMode::Torque;
             out[i].torque = optimum_[i] + common * shareOf(i);
-            out[i].speed = std::max(kRateCap * std::abs(command.speed) / wheels_[i].radius,
-                                    kSmallestRateCap);
+            out[i].speed =
+                std::max(kRateCap * std::abs(command.speed) / wheels_[i].radius, kSmallestRateCap);
             out[i].proportional = kLoopProportional * wheels_[i].torqueLimit;
             out[i].integral = kLoopIntegral * wheels_[i].torqueLimit;
             out[i].torqueCap = tractionCap(sensors, i, settings_.assumedFriction);
@@ -224,16 +224,17 @@ class RollingController final : public Controller {
         const double speed = std::abs(asked) > 1e-6 ? sensors.bodySpeed / asked : 0.0;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             const double rolls = speed * rates_[static_cast<Eigen::Index>(i)];
-            const double ahead = std::copysign(1.0, command.speed) * (sensors.wheels[i].rate - rolls);
+            const double ahead =
+                std::copysign(1.0, command.speed) * (sensors.wheels[i].rate - rolls);
             const double load = std::min(estimate_.loads()[i], sensors.wheels[i].normalForce);
             slipping_[i] =
                 estimate_.bears(i) && ahead > kSlips ? slipping_[i] + settings_.period : 0.0;
             if (slipping_[i] > kSlipTime && load > 0.0) {
                 const double torque =
-                    given_[i] + mildGains_[i] * (rates_[static_cast<Eigen::Index>(i)] -
-                                                 sensors.wheels[i].rate);
-                friction_ = std::min(
-                    friction_, kBelowSlip * std::abs(torque) / (wheels_[i].radius * load));
+                    given_[i] +
+                    mildGains_[i] * (rates_[static_cast<Eigen::Index>(i)] - sensors.wheels[i].rate);
+                friction_ =
+                    std::min(friction_, kBelowSlip * std::abs(torque) / (wheels_[i].radius * load));
             }
         }
         stalled_ = std::abs(sensors.bodySpeed) < kStalled * std::abs(asked)
@@ -274,12 +275,12 @@ class RollingController final : public Controller {
     BodySpeedLoop loop_;
     HeadingHold heading_;
     std::unique_ptr<Controller> brake_;
-    Eigen::VectorXd rates_;         ///< at which nothing slips [rad/s]
-    std::vector<double> optimum_;   ///< of least required friction [N m]
-    std::vector<double> given_;     ///< by the model and the PID, in the last period [N m]
+    Eigen::VectorXd rates_;          ///< at which nothing slips [rad/s]
+    std::vector<double> optimum_;    ///< of least required friction [N m]
+    std::vector<double> given_;      ///< by the model and the PID, in the last period [N m]
     std::vector<double> mildGains_;  ///< what the mild loops give [N m s/rad]
-    std::vector<double> slipping_;  ///< for how long each wheel runs ahead [s]
-    double integral_ = 0.0;         ///< common [N m]
+    std::vector<double> slipping_;   ///< for how long each wheel runs ahead [s]
+    double integral_ = 0.0;          ///< common [N m]
     double friction_ = kFirstFriction;
     double pace_ = 1.0;     ///< of the rover over what is asked, so that no wheel is too fast
     double stalled_ = 0.0;  ///< [s]

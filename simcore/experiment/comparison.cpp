@@ -26,13 +26,13 @@ double mean(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-Comparison::Measure measure(const std::vector<Pair>& pairs, double Outcome::* what) {
+Comparison::Measure measure(const std::vector<Pair>& pairs, double Outcome::*what) {
     Comparison::Measure result;
     std::vector<double> logs;
     for (const Pair& pair : pairs) {
         result.wins += pair.own->*what < pair.rival->*what ? 1 : 0;
-        logs.push_back(std::log(std::max(kLeast, pair.rival->*what) /
-                                std::max(kLeast, pair.own->*what)));
+        logs.push_back(
+            std::log(std::max(kLeast, pair.rival->*what) / std::max(kLeast, pair.own->*what)));
     }
     if (logs.empty()) {
         return result;
@@ -83,8 +83,8 @@ Comparison compareTwo(const Plan& plan, const std::vector<Outcome>& outcomes, do
             continue;
         }
         ++comparison.pairs;
-        const double apart = std::hypot(pair.own->endX - pair.rival->endX,
-                                        pair.own->endY - pair.rival->endY);
+        const double apart =
+            std::hypot(pair.own->endX - pair.rival->endX, pair.own->endY - pair.rival->endY);
         if (plan.set == TerrainSet::Profiles || apart < kSameEnd) {
             valid.push_back(pair);
         }
@@ -105,8 +105,7 @@ std::vector<Comparison> compare(const Plan& plan, const std::vector<Outcome>& ou
         for (const project::ControllerKind controller : plan.controllers) {
             for (const project::ControllerKind rival : plan.controllers) {
                 if (rival != controller) {
-                    comparisons.push_back(
-                        compareTwo(plan, outcomes, friction, controller, rival));
+                    comparisons.push_back(compareTwo(plan, outcomes, friction, controller, rival));
                 }
             }
         }

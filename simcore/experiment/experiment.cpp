@@ -23,9 +23,9 @@ Problems problemsOf(const Plan& plan) {
     Problems problems;
     if (plan.lastSeed < plan.firstSeed || plan.firstSeed < 0 ||
         plan.lastSeed - plan.firstSeed >= kMostSeeds) {
-        problems.push_back(wrong(
-            "seeds", fmt::format("{}..{} are no seeds.", plan.firstSeed, plan.lastSeed),
-            fmt::format("Give A..B with 0 <= A <= B, at most {} of them.", kMostSeeds)));
+        problems.push_back(
+            wrong("seeds", fmt::format("{}..{} are no seeds.", plan.firstSeed, plan.lastSeed),
+                  fmt::format("Give A..B with 0 <= A <= B, at most {} of them.", kMostSeeds)));
     }
     if (plan.frictions.empty() ||
         !std::all_of(plan.frictions.begin(), plan.frictions.end(),

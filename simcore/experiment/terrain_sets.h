@@ -14,9 +14,9 @@ enum class TerrainSet {
 /// "profiles" | "terrains".
 std::string toString(TerrainSet set);
 
-/// The ground of a seed, for wheels of a radius [m]. Features of profiles are up to R/2 high for odd
-/// seeds and up to R for even ones, so that half of the set is mild; those of full terrains up to
-/// 0.6 R, with grains of 1.2 R (assumed: steeper ones stop every controller). Equal seeds make
+/// The ground of a seed, for wheels of a radius [m]. Features of profiles are up to R/2 high for
+/// odd seeds and up to R for even ones, so that half of the set is mild; those of full terrains up
+/// to 0.6 R, with grains of 1.2 R (assumed: steeper ones stop every controller). Equal seeds make
 /// equal grounds on any machine.
 project::Terrain terrainOf(TerrainSet set, int seed, double wheelRadius);
 

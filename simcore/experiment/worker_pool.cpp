@@ -111,6 +111,7 @@ class IgnoredPipeSignal {
   public:
     IgnoredPipeSignal() {
         struct sigaction ignore {};
+
         ignore.sa_handler = SIG_IGN;
         sigaction(SIGPIPE, &ignore, &before_);
     }

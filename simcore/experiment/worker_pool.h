@@ -10,8 +10,8 @@
 namespace simcore::experiment {
 
 /// Gives tasks to processes: a task is a line of text on a process's standard input, its answer a
-/// line on its standard output, begun when it has read all of the task. A process that ends before it has answered loses its task, not the
-/// others; a new one is started in its place.
+/// line on its standard output, begun when it has read all of the task. A process that ends before
+/// it has answered loses its task, not the others; a new one is started in its place.
 ///
 /// @param command   program and arguments of a worker
 /// @param greeting  line that every worker gets first; it is not answered
@@ -24,6 +24,7 @@ namespace simcore::experiment {
 Result<bool> runInWorkers(
     const std::vector<std::string>& command, const std::string& greeting,
     const std::vector<std::string>& tasks, int jobs,
-    const std::function<bool(std::size_t task, const std::optional<std::string>& answer)>& answered);
+    const std::function<bool(std::size_t task, const std::optional<std::string>& answer)>&
+        answered);
 
 }  // namespace simcore::experiment

@@ -132,7 +132,8 @@ Plan planFrom(const nlohmann::json& json) {
         plan.controllers.push_back(
             project::fromName<project::ControllerKind>(name.get<std::string>()).value());
     }
-    plan.engine = project::fromName<project::EngineKind>(json.at("engine").get<std::string>()).value();
+    plan.engine =
+        project::fromName<project::EngineKind>(json.at("engine").get<std::string>()).value();
     plan.step = json.at("dt_s").get<double>();
     plan.speed = json.at("speed_m_s").get<double>();
     plan.distance = json.at("distance_m").get<double>();

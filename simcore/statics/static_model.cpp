@@ -101,8 +101,8 @@ Eigen::VectorXd StaticModel::loads(double gravity) const {
     Eigen::RowVectorXd work = Eigen::RowVectorXd::Zero(motions());
     for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
         const mechanism::Body& body = mechanism_.bodies[i];
-        work += workOf(static_cast<int>(i), {0.0, 0.0, -body.mass * gravity},
-                       poses()[i] * body.com);
+        work +=
+            workOf(static_cast<int>(i), {0.0, 0.0, -body.mass * gravity}, poses()[i] * body.com);
     }
     for (const mechanism::Spring& spring : mechanism_.springs) {
         if (spring.joint >= 0) {
@@ -152,8 +152,7 @@ Equilibrium StaticModel::equilibrium(std::span<const Contact> contacts, ContactS
         const int body = mechanism_.wheels[static_cast<std::size_t>(contact.wheel)].body;
         const auto put = [&](int column, const Vec3& direction) {
             if (column >= 0) {
-                result.matrix.col(column) =
-                    workOf(body, direction, contact.point).transpose();
+                result.matrix.col(column) = workOf(body, direction, contact.point).transpose();
             }
         };
         put(result.normal[i], contact.normal);
@@ -194,9 +193,9 @@ Eigen::VectorXd StaticModel::rollingRates(std::span<const Contact> contacts, dou
     const Eigen::VectorXd motion = matrix.completeOrthogonalDecomposition().solve(right);
     Eigen::VectorXd rates(static_cast<Eigen::Index>(wheels.size()));
     for (std::size_t w = 0; w < wheels.size(); ++w) {
-        const bool touches =
-            std::any_of(contacts.begin(), contacts.end(),
-                        [&](const Contact& c) { return c.wheel == static_cast<int>(w); });
+        const bool touches = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+            return c.wheel == static_cast<int>(w);
+        });
         rates[static_cast<Eigen::Index>(w)] =
             touches ? torqueWork(wheels[w]).dot(motion) : speed / wheels[w].radius;
     }

@@ -38,8 +38,8 @@ Contact contactAtAngle(const mechanism::Mechanism& mechanism, int wheel,
 /// the contact set has, and the torques of all wheels that touch. Forces act on the wheels; a
 /// positive torque drives forward.
 struct Equilibrium {
-    Eigen::MatrixXd matrix;  ///< M: one row an independent motion
-    Eigen::VectorXd right;   ///< R: weight and springs [N m] or [N]
+    Eigen::MatrixXd matrix;             ///< M: one row an independent motion
+    Eigen::VectorXd right;              ///< R: weight and springs [N m] or [N]
     std::vector<int> normal, traction;  ///< columns, one a contact
     std::vector<int> lateral;           ///< columns, one a contact; -1 = no such unknown
     std::vector<int> torque;            ///< columns, one a wheel; -1 = it hangs

@@ -44,8 +44,8 @@ bool alikeLeftAndRight(const Mechanism& mechanism, const std::vector<double>& an
 Problems problemsOf(const Mechanism& mechanism, const StudyRequest& request) {
     Problems problems = dynamics::whyNoEngineCanRun(mechanism);
     if (mechanism.wheels.empty()) {
-        problems.push_back(wrong("rover " + mechanism.name, "it has no wheels to stand on.",
-                                 "Give it wheels."));
+        problems.push_back(
+            wrong("rover " + mechanism.name, "it has no wheels to stand on.", "Give it wheels."));
     }
     for (const WheelAngle& at : request.angles) {
         if (mechanism.findWheel(at.wheel) < 0) {

@@ -23,25 +23,25 @@ struct StudyRequest {
 
 struct WheelStudy {
     std::string name;
-    double contactAngle = 0.0;                                  ///< [rad]
-    double normal = 0.0, traction = 0.0, lateral = 0.0;         ///< of the best torques [N]
-    double torque = 0.0;                                        ///< [N m]
-    double ratio = 0.0;                                         ///< tangential over normal [-]
+    double contactAngle = 0.0;                           ///< [rad]
+    double normal = 0.0, traction = 0.0, lateral = 0.0;  ///< of the best torques [N]
+    double torque = 0.0;                                 ///< [N m]
+    double ratio = 0.0;                                  ///< tangential over normal [-]
 };
 
 /// What a rover needs to begin to move where it stands.
 struct Study {
-    int equations = 0;           ///< balances of all bodies
-    int internalReactions = 0;   ///< that the motions leave out
-    int rows = 0;                ///< of M
-    int unknowns = 0;            ///< columns of M
-    int dimension = 0;           ///< of the space of solutions
+    int equations = 0;          ///< balances of all bodies
+    int internalReactions = 0;  ///< that the motions leave out
+    int rows = 0;               ///< of M
+    int unknowns = 0;           ///< columns of M
+    int dimension = 0;          ///< of the space of solutions
     bool feasible = false;
-    std::vector<std::string> flags;  ///< see docs/statics.md
-    std::optional<double> equalTorque;       ///< [N m]; nothing when none holds the rover
-    double equalMaxRatio = 0.0;              ///< [-]
-    double frictionRequired = 0.0;           ///< mu* [-]
-    double minimumTorque = 0.0;              ///< largest torque of the best for Objective::Torque
+    std::vector<std::string> flags;     ///< see docs/statics.md
+    std::optional<double> equalTorque;  ///< [N m]; nothing when none holds the rover
+    double equalMaxRatio = 0.0;         ///< [-]
+    double frictionRequired = 0.0;      ///< mu* [-]
+    double minimumTorque = 0.0;         ///< largest torque of the best for Objective::Torque
     std::vector<WheelStudy> wheels;
 };
 

@@ -111,11 +111,12 @@ class Centers {
                 const VectorXd v = cone.vector(y);
                 const double reach = s * cone.reach(y);
                 const double room = reach * reach - v.squaredNorm();
-                const VectorXd slope = 2.0 * s * reach * cone.slope - 2.0 * cone.rows.transpose() * v;
+                const VectorXd slope =
+                    2.0 * s * reach * cone.slope - 2.0 * cone.rows.transpose() * v;
                 gradient -= weight() / room * slope;
                 hessian.noalias() += weight() / (room * room) * slope * slope.transpose();
-                hessian.noalias() -= weight() * 2.0 * s * s / room * cone.slope *
-                                     cone.slope.transpose();
+                hessian.noalias() -=
+                    weight() * 2.0 * s * s / room * cone.slope * cone.slope.transpose();
                 hessian.noalias() += weight() * 2.0 / room * cone.rows.transpose() * cone.rows;
             }
             for (const HalfSpace& half : halfSpaces) {
@@ -211,9 +212,9 @@ Traction::Traction(const Equilibrium& equilibrium, const mechanism::Mechanism& m
 void Traction::solveForTorques() {
     const auto wheels = static_cast<Eigen::Index>(radii_.size());
     const Eigen::Index others =
-        equilibrium_.matrix.cols() -
-        std::count_if(equilibrium_.torque.begin(), equilibrium_.torque.end(),
-                      [](int column) { return column >= 0; });
+        equilibrium_.matrix.cols() - std::count_if(equilibrium_.torque.begin(),
+                                                   equilibrium_.torque.end(),
+                                                   [](int column) { return column >= 0; });
     const Eigen::Index rows = equilibrium_.matrix.rows();
     MatrixXd right(rows, 1 + wheels);
     right.setZero();
@@ -307,8 +308,7 @@ std::optional<VectorXd> Traction::withShares(const VectorXd& shares) const {
 
 Solution Traction::equalTorque() const {
     Solution solution;
-    const auto unknowns =
-        withShares(VectorXd::Ones(static_cast<Eigen::Index>(radii_.size())));
+    const auto unknowns = withShares(VectorXd::Ones(static_cast<Eigen::Index>(radii_.size())));
     if (!unknowns) {
         return solution;
     }

@@ -89,10 +89,10 @@ class Traction {
     bool findInterior(Eigen::VectorXd& y) const;
 
     const Equilibrium equilibrium_;
-    std::vector<int> wheelOf_;           ///< of every contact
-    std::vector<double> torqueLimits_;   ///< of every wheel [N m]
-    std::vector<double> radii_;          ///< of every wheel [m]
-    double load_ = 1.0;                  ///< mean of a contact, a scale [N]
+    std::vector<int> wheelOf_;          ///< of every contact
+    std::vector<double> torqueLimits_;  ///< of every wheel [N m]
+    std::vector<double> radii_;         ///< of every wheel [m]
+    double load_ = 1.0;                 ///< mean of a contact, a scale [N]
     double imbalance_ = 0.0;
     double scale_ = 1.0;  ///< largest of R
     // Forces at the contacts = withoutTorque + perTorque * torques, where conditions * torques =

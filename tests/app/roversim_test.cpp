@@ -76,9 +76,9 @@ std::array<int, 5> numbers(const json& model) {
 }  // namespace
 
 TEST_F(RoversimTest, HelpAndVersionSucceed) {
-    for (const char* arguments :
-         {"--help", "mobility --help", "validate --help", "run --help", "convert --help",
-          "replay --help", "export --help", "channels --help"}) {
+    for (const char* arguments : {"--help", "mobility --help", "validate --help", "run --help",
+                                  "convert --help", "replay --help", "export --help",
+                                  "channels --help", "statics --help", "reproduce --help"}) {
         const Outcome outcome = roversim(arguments);
         EXPECT_EQ(outcome.code, 0) << arguments;
         EXPECT_THAT(outcome.out, HasSubstr("Usage")) << arguments;
@@ -93,7 +93,12 @@ TEST_F(RoversimTest, WrongUseIsTwoAndSaysSoOnStderr) {
           "mobility --model loose " + shipped("solero"), "mobility --wings " + shipped("solero"),
           "mobility --set wheel_radius " + shipped("solero"), "run " + shipped("solero"),
           "run --scenario flat --mu -1 " + shipped("solero"),
-          "run --scenario flat --engine bullet " + shipped("solero")}) {
+          "run --scenario flat --engine bullet " + shipped("solero"),
+          "statics --contact front " + shipped("solero"),
+          "statics --contact front=steep " + shipped("solero"),
+          "statics --contacts 15 " + shipped("solero"), std::string("reproduce moons"),
+          std::string("reproduce profiles --seeds 5..1"), std::string("reproduce profiles --mu 0"),
+          std::string("reproduce profiles --controllers manual")}) {
         const Outcome outcome = roversim(arguments);
         EXPECT_EQ(outcome.code, 2) << arguments;
         EXPECT_EQ(outcome.out, "") << arguments;
@@ -158,6 +163,59 @@ TEST_F(RoversimTest, MobilityTellsMovedPoseLoopsAndReactions) {
 }
 
 // Dimensions do not change the counts; a value outside its range is refused with the range named.
+TEST_F(RoversimTest, StaticsOfTheShrimpAtAWall) {
+    const Outcome outcome =
+        roversim("statics --json --contact front=90 --set fork_preload=10 " + shipped("shrimp"));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json study = json::parse(outcome.out);
+    EXPECT_EQ(study.at("equations"), 108);
+    EXPECT_EQ(study.at("internal_reactions"), 93);
+    EXPECT_EQ(study.at("unknowns"), 20);
+    EXPECT_EQ(study.at("solution_dimension"), 5);
+    EXPECT_EQ(study.at("feasible"), true);
+    EXPECT_NEAR(study.at("optimal").at("mu_required"), 0.309, 0.02 * 0.309);
+    ASSERT_EQ(study.at("wheels").size(), 6U);
+    const json& front = study.at("wheels").at(0);
+    EXPECT_EQ(front.at("name"), "front");
+    EXPECT_NEAR(front.at("contact_angle_deg"), 90.0, 1e-9);
+    EXPECT_NEAR(front.at("ratio"),
+                front.at("traction_force").get<double>() / front.at("normal_force").get<double>(),
+                1e-9);
+}
+
+TEST_F(RoversimTest, StaticsOfWhatCannotBeIsNo) {
+    for (const char* contact : {"front=120", "nose=10"}) {
+        const Outcome outcome =
+            roversim("statics --contact " + std::string(contact) + " " + shipped("solero"));
+        EXPECT_EQ(outcome.code, 1) << contact;
+        EXPECT_NE(outcome.err, "") << contact;
+    }
+}
+
+// An experiment writes tables, and goes on with what is there instead of driving it again.
+TEST_F(RoversimTest, ReproduceComparesAndGoesOn) {
+    const std::string experiment =
+        "reproduce profiles --mu 0.7 --controllers hybrid,speed --csv '" +
+        (folder_ / "deep" / "out").string() + "' --json --jobs 2 ";
+    const Outcome first = roversim(experiment + "--seeds 1..2");
+    ASSERT_EQ(first.code, 0) << first.err;
+    const json found = json::parse(first.out);
+    ASSERT_EQ(found.at("runs").size(), 4U);
+    EXPECT_EQ(found.at("runs").at(0).at("seed"), 1);
+    EXPECT_EQ(found.at("runs").at(0).at("controller"), "hybrid");
+    EXPECT_EQ(found.at("summary").at(0).at("rival"), "speed");
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "deep/out/profiles-runs.csv"));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "deep/out/profiles-summary.csv"));
+
+    const Outcome again = roversim(experiment + "--seeds 1..2");
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(again.out, first.out);
+    // Another plan does not mix with it.
+    const Outcome other = roversim(experiment + "--seeds 1..3");
+    EXPECT_EQ(other.code, 1);
+    EXPECT_THAT(other.err, HasSubstr("another plan"));
+}
+
 TEST_F(RoversimTest, SetChangesParametersWithinTheirRange) {
     const Outcome good =
         roversim("mobility --json --model built --set 'wheel_radius=8 cm' " + shipped("solero"));

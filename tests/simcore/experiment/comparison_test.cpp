@@ -41,11 +41,10 @@ Comparison first(const Plan& plan, const std::vector<Outcome>& outcomes) {
 
 // Ratios 2 and 8 have the geometric mean 4.
 TEST(ComparisonTest, MeanRatioIsGeometric) {
-    const Comparison found =
-        first(planOf(TerrainSet::Profiles, 2), {outcome(1, ControllerKind::EqualTorque, 0.1),
-                                                outcome(1, ControllerKind::Speed, 0.2),
-                                                outcome(2, ControllerKind::EqualTorque, 0.1),
-                                                outcome(2, ControllerKind::Speed, 0.8)});
+    const Comparison found = first(
+        planOf(TerrainSet::Profiles, 2),
+        {outcome(1, ControllerKind::EqualTorque, 0.1), outcome(1, ControllerKind::Speed, 0.2),
+         outcome(2, ControllerKind::EqualTorque, 0.1), outcome(2, ControllerKind::Speed, 0.8)});
     EXPECT_EQ(found.pairs, 2);
     EXPECT_EQ(found.valid, 2);
     EXPECT_EQ(found.slip.wins, 2);
@@ -71,11 +70,11 @@ TEST(ComparisonTest, IsMirrored) {
 
 // A run that is stuck has no slip worth comparing.
 TEST(ComparisonTest, RunsThatDoNotFinishAreCountedNotCompared) {
-    const Comparison found = first(
-        planOf(TerrainSet::Profiles, 2), {outcome(1, ControllerKind::EqualTorque, 0.0, 0.0, false),
-                                          outcome(1, ControllerKind::Speed, 0.2),
-                                          outcome(2, ControllerKind::EqualTorque, 0.1),
-                                          outcome(2, ControllerKind::Speed, 0.3)});
+    const Comparison found =
+        first(planOf(TerrainSet::Profiles, 2),
+              {outcome(1, ControllerKind::EqualTorque, 0.0, 0.0, false),
+               outcome(1, ControllerKind::Speed, 0.2), outcome(2, ControllerKind::EqualTorque, 0.1),
+               outcome(2, ControllerKind::Speed, 0.3)});
     EXPECT_EQ(found.tried, 2);
     EXPECT_EQ(found.pairs, 1);
     EXPECT_EQ(found.onlyOwn, 0);
@@ -105,8 +104,8 @@ TEST(ComparisonTest, IntervalCoversTheTrueMean) {
         std::vector<Outcome> outcomes;
         for (int seed = 1; seed <= kSeeds; ++seed) {
             outcomes.push_back(outcome(seed, ControllerKind::EqualTorque, 0.1));
-            outcomes.push_back(outcome(seed, ControllerKind::Speed,
-                                       0.1 * std::exp(0.3 + 0.5 * random.normal())));
+            outcomes.push_back(
+                outcome(seed, ControllerKind::Speed, 0.1 * std::exp(0.3 + 0.5 * random.normal())));
         }
         const Comparison found = first(planOf(TerrainSet::Profiles, kSeeds), outcomes);
         covered += found.slip.low < std::exp(0.3) && std::exp(0.3) < found.slip.high ? 1 : 0;

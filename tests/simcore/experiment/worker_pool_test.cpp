@@ -18,12 +18,12 @@ std::vector<std::string> shell(const std::string& script) {
 Answers answersOf(const std::vector<std::string>& command, const std::vector<std::string>& tasks,
                   int jobs) {
     Answers answers;
-    const auto finished = runInWorkers(command, "hello", tasks, jobs,
-                                       [&](std::size_t task, const auto& answer) {
-                                           EXPECT_EQ(answers.count(task), 0U);
-                                           answers[task] = answer;
-                                           return true;
-                                       });
+    const auto finished =
+        runInWorkers(command, "hello", tasks, jobs, [&](std::size_t task, const auto& answer) {
+            EXPECT_EQ(answers.count(task), 0U);
+            answers[task] = answer;
+            return true;
+        });
     EXPECT_TRUE(finished) << toString(finished.problems());
     return answers;
 }

@@ -110,8 +110,7 @@ TEST(StaticModelTest, EveryBodyIsBalanced) {
     }
     for (const mechanism::Spring& spring : mechanism.springs) {
         ASSERT_LT(spring.joint, 0);
-        const Vec3 force =
-            spring.preload * (spring.secondPoint - spring.firstPoint).normalized();
+        const Vec3 force = spring.preload * (spring.secondPoint - spring.firstPoint).normalized();
         push(spring.second, force, spring.secondPoint);
         push(spring.first, -force, spring.firstPoint);
     }
@@ -141,8 +140,7 @@ TEST(StaticModelTest, EveryBodyIsBalanced) {
     for (Eigen::Index i = 0; i < bodies; ++i) {
         right.segment<6>(6 * i) = -load[static_cast<std::size_t>(i)];
     }
-    const Eigen::VectorXd reactions =
-        transmitted.completeOrthogonalDecomposition().solve(right);
+    const Eigen::VectorXd reactions = transmitted.completeOrthogonalDecomposition().solve(right);
     EXPECT_LT((transmitted * reactions - right).cwiseAbs().maxCoeff(), 1e-9 * right.norm());
 }
 
@@ -160,24 +158,22 @@ TEST(StaticModelTest, MotionsAreDerivativesOfPoses) {
         EXPECT_TRUE(moved.place(state));
         double energy = 0.0;
         for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-            energy += 9.81 * mechanism.bodies[i].mass *
-                      (moved.poses()[i] * mechanism.bodies[i].com).z();
+            energy +=
+                9.81 * mechanism.bodies[i].mass * (moved.poses()[i] * mechanism.bodies[i].com).z();
         }
         for (const mechanism::Spring& spring : mechanism.springs) {
             const Vec3 a =
                 moved.poses()[static_cast<std::size_t>(spring.first)] * spring.firstPoint;
             const Vec3 b =
                 moved.poses()[static_cast<std::size_t>(spring.second)] * spring.secondPoint;
-            const double stretch =
-                (b - a).norm() - (spring.secondPoint - spring.firstPoint).norm();
+            const double stretch = (b - a).norm() - (spring.secondPoint - spring.firstPoint).norm();
             energy += -spring.preload * stretch + 0.5 * spring.stiffness * stretch * stretch;
         }
         return energy;
     };
     constexpr double kStep = 1e-5;
     for (int motion = 0; motion < model.motions(); ++motion) {
-        const double slope =
-            (energyAt(motion, kStep) - energyAt(motion, -kStep)) / (2.0 * kStep);
+        const double slope = (energyAt(motion, kStep) - energyAt(motion, -kStep)) / (2.0 * kStep);
         EXPECT_NEAR(found.right[motion], slope, 1e-6 * 62.9) << motion;
     }
 }
@@ -194,8 +190,7 @@ TEST(StaticModelTest, RollingRatesOnLevelGround) {
         const Eigen::VectorXd rates =
             model.rollingRates(contactsOf(model, level(mechanism)), 0.1, 0.0);
         for (std::size_t w = 0; w < mechanism.wheels.size(); ++w) {
-            EXPECT_NEAR(rates[static_cast<Eigen::Index>(w)], 0.1 / mechanism.wheels[w].radius,
-                        1e-9)
+            EXPECT_NEAR(rates[static_cast<Eigen::Index>(w)], 0.1 / mechanism.wheels[w].radius, 1e-9)
                 << name;
         }
     }

@@ -121,8 +121,7 @@ TEST(TractionTest, NoTorquesNearbyAreBetter) {
             contacts.push_back(
                 contactAtAngle(mechanism, static_cast<int>(i), model.poses(), angles[i]));
         }
-        const Equilibrium equilibrium =
-            model.equilibrium(contacts, ContactSet::Free, kGravity);
+        const Equilibrium equilibrium = model.equilibrium(contacts, ContactSet::Free, kGravity);
         const Traction traction(equilibrium, mechanism, contacts);
         const Solution best = traction.best(Objective::Friction);
         ASSERT_NE(best.way, Way::None);
@@ -130,8 +129,7 @@ TEST(TractionTest, NoTorquesNearbyAreBetter) {
         EXPECT_LT(traction.residual(best.forces), 1e-9);
         for (int axis = 0; axis < traction.dimension(); ++axis) {
             for (const double step : {-1e-2, -1e-4, 1e-4, 1e-2}) {
-                EXPECT_GT(traction.moved(best.forces, axis, step).maxRatio(),
-                          best.friction - 1e-6);
+                EXPECT_GT(traction.moved(best.forces, axis, step).maxRatio(), best.friction - 1e-6);
             }
         }
         // Equal torques are one of the choices.

@@ -1,0 +1,49 @@
+// What controllers are for: less slip and less energy on the same ground.
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "simcore/experiment/experiment.h"
+#include "simcore/project/names.h"
+#include "tests/support/projects.h"
+
+using namespace simcore;
+using namespace simcore::experiment;
+using project::ControllerKind;
+
+// Mild profiles that all controllers pass. Torque-driven rovers slip less than one with equal wheel
+// speeds, and take less energy than one whose wheels have integrals of their own.
+TEST(ControlRunTest, TorqueDrivenRoversSlipLess) {
+    const project::Project solero = testsupport::shipped("solero");
+    Plan plan;
+    plan.distance = 2.5;
+    for (const double friction : {0.5, 0.7}) {
+        for (const int seed : {1, 3, 5}) {
+            std::map<ControllerKind, Outcome> outcomes;
+            for (const ControllerKind kind : {ControllerKind::Speed, ControllerKind::Synchronised,
+                                              ControllerKind::Torque, ControllerKind::Hybrid}) {
+                outcomes[kind] = drive(solero, plan, {seed, friction, kind});
+                ASSERT_TRUE(outcomes[kind].completed)
+                    << project::nameOf(kind) << seed << outcomes[kind].stopReason;
+            }
+            for (const ControllerKind kind : {ControllerKind::Torque, ControllerKind::Hybrid}) {
+                EXPECT_LT(outcomes[kind].slipAbs, outcomes[ControllerKind::Speed].slipAbs)
+                    << project::nameOf(kind) << seed << friction;
+                EXPECT_LT(outcomes[kind].energy, outcomes[ControllerKind::Synchronised].energy)
+                    << project::nameOf(kind) << seed << friction;
+            }
+        }
+    }
+}
+
+// Bit for bit, whatever the controller keeps in mind.
+TEST(ControlRunTest, RunsRepeat) {
+    const project::Project solero = testsupport::shipped("solero");
+    Plan plan;
+    plan.set = TerrainSet::Terrains;
+    plan.distance = 0.8;
+    for (const ControllerKind kind : {ControllerKind::CommonIntegral, ControllerKind::Hybrid}) {
+        const Case what{2, 0.5, kind};
+        EXPECT_EQ(drive(solero, plan, what).stateHash, drive(solero, plan, what).stateHash);
+    }
+}
