@@ -150,8 +150,8 @@ TEST_P(RoverConformanceTest, RelaxedJointsGiveTheSameLoadsAndSlip) {
 }
 
 // Two engines that share no solver: constraints and boxes of friction against free rates and
-// cones. What a rough drive comes to is the same, but for what friction leaves open: ODE's agrees to
-// 1 % with normal forces.
+// cones. What a rough drive comes to is the same, but for what friction leaves open: ODE's agrees
+// to 1 % with normal forces.
 TEST(EnginesAgreeTest, OnWheelLoadsEnergyAndWay) {
     for (const std::string rover : {"solero", "rocker_bogie", "rocker_bogie_steered"}) {
         SCOPED_TRACE(rover);
