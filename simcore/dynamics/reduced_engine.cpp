@@ -19,6 +19,8 @@ constexpr double kContactStiffness = 1e6;  // [N/m]
 constexpr double kContactDamping = 5000;   // [N s/m]
 /// What a wheel that sticks creeps: 0.1 um/s per newton (assumed).
 constexpr double kStickingDamping = 1e7;  // [N s/m]
+/// Share of a rover's mass that one of its contacts moves along the normal (assumed).
+constexpr double kContactShare = 1.0 / 12.0;
 /// Contacts are wanted from this far before they touch [m] (assumed).
 constexpr double kContactMargin = 1e-3;
 // The same for stops of joints, on arms of 0.1 m.
@@ -160,6 +162,7 @@ class ReducedEngine final : public Engine {
     int choice_ = -1;      ///< that the pattern was made for
     int firstChoice_ = 0;  ///< the drawn pose's
     PatternedLu lu_;
+    double contactMass_;
     ImpulseProblem problem_;
     ImpulseSolver solver_;
     ImpulseCounters impulses_;
@@ -212,6 +215,7 @@ ReducedEngine::ReducedEngine(const mechanism::Mechanism& mechanism, const Engine
       tree_(mechanism_, settings.joints),
       motion_(mechanism_, tree_),
       loops_(mechanism_, tree_, settings.joints),
+      contactMass_(kContactShare * mechanism_.mass()),
       scratch_(mechanism_, tree_),
       scratchLoops_(mechanism_, tree_, settings.joints) {
     if (const Problems problems = whyReducedCannotRun(mechanism, settings.joints);
@@ -615,6 +619,7 @@ void ReducedEngine::makeContacts(const StepInput& input) {
     problem_.normalCompliance = 1.0 / (dt * (kContactStiffness * dt + kContactDamping));
     problem_.tangentialCompliance = 1.0 / (dt * kStickingDamping);
     problem_.tolerance = kForceTolerance * dt;
+    problem_.contactMass = contactMass_;
     problem_.contacts.clear();
     problem_.touched.clear();
     rowTouches_.clear();

@@ -71,6 +71,46 @@ float roundedUp(double value) {
                : nearest;
 }
 
+/// In single precision, below `value` by a slack at least.
+float roundedDown(double value) {
+    constexpr double kSingle = 1e-7;  // twice its rounding, relative
+    return static_cast<float>(value - kSlack - kSingle * std::abs(value));
+}
+
+/// A triangle as planes beside each other see it.
+struct SeenTriangle {
+    std::array<int, 3> corners{};       ///< vertices
+    std::array<double, 3> distance{};   ///< of the corners from the first plane, along v x u [m]
+    std::array<Eigen::Vector2d, 3> at;  ///< the corners along u and v [m]
+};
+
+/// The piece of a triangle that lies in the plane at `offset`, its free side to the left of a -> b.
+/// False when there is none.
+bool cut(const SeenTriangle& triangle, double offset, Eigen::Vector2d& a, Eigen::Vector2d& b) {
+    const std::array<double, 3> d{triangle.distance[0] - offset, triangle.distance[1] - offset,
+                                  triangle.distance[2] - offset};
+    // On the plane counts as above it: a triangle is cut or not, never twice on an edge.
+    const std::array<bool, 3> above{d[0] >= 0.0, d[1] >= 0.0, d[2] >= 0.0};
+    if (above[0] == above[1] && above[1] == above[2]) {
+        return false;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t m = k == 2 ? 0 : k + 1;
+        if (above[k] == above[m]) {
+            continue;
+        }
+        // From the lower index's side always, so that neighbours cut their common edge in the very
+        // same point.
+        const bool inOrder = triangle.corners[k] < triangle.corners[m];
+        const std::size_t p = inOrder ? k : m;
+        const std::size_t q = inOrder ? m : k;
+        const double share = d[p] / (d[p] - d[q]);
+        // Round the triangle, its free side in view, the section begins where the way goes down.
+        (above[k] ? a : b) = triangle.at[p] + share * (triangle.at[q] - triangle.at[p]);
+    }
+    return true;
+}
+
 /// Cells that suit a mesh within the box [m].
 double cellSizeFor(const TriangleMesh& mesh, const Vec3& low, const Vec3& high) {
     double sum = 0.0;
@@ -430,8 +470,8 @@ double Terrain::heightOn(std::size_t triangle, double x, double y) const {
 }
 
 template <class Visit>
-void Terrain::visitCells(const Vec3& center, const Vec3& axis, double halfLength, double radius,
-                         Visit&& visit) const {
+void Terrain::visitRuns(const Vec3& center, const Vec3& axis, double halfLength, double radius,
+                        Visit&& visit) const {
     const Vec3 reach = radius * (Vec3::Ones() - axis.cwiseProduct(axis)).cwiseMax(0.0).cwiseSqrt() +
                        halfLength * axis.cwiseAbs() + Vec3::Constant(kSlack);
     // Strips of cells across the larger horizontal extent; in each only those cells that the
@@ -444,6 +484,10 @@ void Terrain::visitCells(const Vec3& center, const Vec3& axis, double halfLength
     const double mainSize = alongX ? cellX_ : cellY_;
     const auto mainCell = [&](double value) { return alongX ? column(value) : row(value); };
     const auto otherCell = [&](double value) { return alongX ? row(value) : column(value); };
+    const double slope = strips ? -axis[main] / axis[other] : 0.0;
+    const double lean =
+        strips ? (std::abs(axis.z()) * reach.z() + halfLength) / std::abs(axis[other]) + kSlack
+               : 0.0;
     const int last = mainCell(center[main] + reach[main]);
     for (int i = mainCell(center[main] - reach[main]); i <= last; ++i) {
         double low = -reach[other];
@@ -456,41 +500,17 @@ void Terrain::visitCells(const Vec3& center, const Vec3& axis, double halfLength
             if (a > b) {
                 continue;
             }
-            const double slope = -axis[main] / axis[other];
-            const double lean =
-                (std::abs(axis.z()) * reach.z() + halfLength) / std::abs(axis[other]) + kSlack;
             low = std::max(low, std::min(slope * a, slope * b) - lean);
             high = std::min(high, std::max(slope * a, slope * b) + lean);
         }
-        const int end = otherCell(center[other] + high);
-        for (int k = otherCell(center[other] + low); k <= end; ++k) {
-            alongX ? visit(i, k) : visit(k, i);
+        const int from = otherCell(center[other] + low);
+        const int to = otherCell(center[other] + high);
+        if (alongX) {
+            visit(CellRange{i, i, from, to});
+        } else {
+            visit(CellRange{from, to, i, i});
         }
     }
-}
-
-bool Terrain::cut(std::size_t triangle, const std::array<double, 3>& distance,
-                  std::array<Vec3, 2>& ends) const {
-    // On the plane counts as above it: a triangle is cut or not, never twice on an edge.
-    const std::array<bool, 3> above{distance[0] >= 0.0, distance[1] >= 0.0, distance[2] >= 0.0};
-    if (above[0] == above[1] && above[1] == above[2]) {
-        return false;
-    }
-    const std::array<int, 3>& t = mesh_.triangles[triangle];
-    std::size_t found = 0;
-    for (std::size_t k = 0; k < 3 && found < 2; ++k) {
-        const std::size_t m = (k + 1) % 3;
-        if (above[k] != above[m]) {
-            // From the lower index's side always, so that neighbours cut their common edge in the
-            // very same point.
-            const std::size_t p = t[k] < t[m] ? k : m;
-            const std::size_t q = t[k] < t[m] ? m : k;
-            const double s = distance[p] / (distance[p] - distance[q]);
-            ends[found++] =
-                cornerOf(triangle, p) + s * (cornerOf(triangle, q) - cornerOf(triangle, p));
-        }
-    }
-    return true;
 }
 
 void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, double radius,
@@ -504,72 +524,85 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
     const Vec3 w = plane.v.cross(plane.u);
     const double halfLength = 0.5 * (offsets.back() - offsets.front());
     const Vec3 center = plane.origin + 0.5 * (offsets.back() + offsets.front()) * w;
-    const double cellReach =
-        0.5 * (cellX_ * std::abs(plane.u.x()) + cellY_ * std::abs(plane.u.y())) + kSlack;
-    // Where u is level, no point of the discs is below their rims at its place along u.
-    constexpr double kLevel = 1e-9;
-    const bool level = std::abs(plane.u.z()) < kLevel;
-    const double middle = center.z() - halfLength * std::abs(w.z()) - kSlack;
-    const double steep = plane.v.z() * plane.v.z();
-    const auto staysBelow = [&](int ix, int iy) {
-        const double above = middle - static_cast<double>(cellHighest_[cellAt(ix, iy)]);
-        if (above < 0.0) {
-            return false;
-        }
-        const double x = gridX0_ + (ix + 0.5) * cellX_ - center.x();
-        const double y = gridY0_ + (iy + 0.5) * cellY_ - center.y();
-        const double s = std::max(0.0, std::abs(plane.u.x() * x + plane.u.y() * y) - cellReach);
-        return above * above > steep * (radius * radius - s * s);
-    };
-    std::array<Vec3, 2> ends;
-    const auto inPlane = [&](const Vec3& p) {
-        return Eigen::Vector2d(plane.u.dot(p - plane.origin), plane.v.dot(p - plane.origin));
-    };
-    const auto add = [&](std::size_t triangle, int ix, int iy, std::vector<SliceSegment>& to) {
-        SliceSegment segment{inPlane(ends[0]), inPlane(ends[1]), Vec3::Zero()};
+    const double radius2 = radius * radius;
+
+    const auto add = [&](std::size_t triangle, double offset, const SliceSegment& segment, int ix,
+                         int iy, std::vector<SliceSegment>& to) {
+        const Eigen::Vector2d along = segment.b - segment.a;
         const double s = nearestShare(segment.a, segment.b);
-        if ((segment.a + s * (segment.b - segment.a)).squaredNorm() > radius * radius) {
+        const Eigen::Vector2d nearest = segment.a + s * along;
+        if (nearest.squaredNorm() > radius2) {
             return;
         }
         // A triangle that lies in several cells is taken in that of its nearest point, which is one
         // of those searched.
         if (spread_[triangle] != 0) {
             const CellRange cells = cellsOf(mesh_.triangles[triangle]);
-            const Vec3 nearest = ends[0] + s * (ends[1] - ends[0]);
-            if (std::clamp(column(nearest.x()), cells.firstX, cells.lastX) != ix ||
-                std::clamp(row(nearest.y()), cells.firstY, cells.lastY) != iy) {
+            const Vec3 place =
+                plane.origin + offset * w + nearest.x() * plane.u + nearest.y() * plane.v;
+            if (std::clamp(column(place.x()), cells.firstX, cells.lastX) != ix ||
+                std::clamp(row(place.y()), cells.firstY, cells.lastY) != iy) {
                 return;
             }
         }
-        segment.normal = normals_[triangle];
-        // The free side is to the left.
-        const Eigen::Vector2d along = segment.b - segment.a;
-        const double left =
-            -along.y() * segment.normal.dot(plane.u) + along.x() * segment.normal.dot(plane.v);
-        if (left < 0.0) {
-            std::swap(segment.a, segment.b);
-        }
         to.push_back(segment);
+        to.back().normal = normals_[triangle];
     };
-    visitCells(center, w, halfLength, radius, [&](int ix, int iy) {
-        if (level && staysBelow(ix, iy)) {
-            return;
-        }
-        const std::size_t cell = cellAt(ix, iy);
+    SeenTriangle seen;
+    SliceSegment segment;
+    const auto sliceCell = [&](std::size_t cell, int ix, int iy) {
         for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
             const auto triangle =
                 static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]);
-            const std::array<double, 3> across{w.dot(cornerOf(triangle, 0) - plane.origin),
-                                               w.dot(cornerOf(triangle, 1) - plane.origin),
-                                               w.dot(cornerOf(triangle, 2) - plane.origin)};
-            const double low = std::min({across[0], across[1], across[2]});
-            const double high = std::max({across[0], across[1], across[2]});
+            seen.corners = mesh_.triangles[triangle];
+            std::array<Vec3, 3> arms;
+            for (std::size_t k = 0; k < 3; ++k) {
+                arms[k] = cornerOf(triangle, k) - plane.origin;
+                seen.distance[k] = w.dot(arms[k]);
+            }
+            const double low = std::min({seen.distance[0], seen.distance[1], seen.distance[2]});
+            const double high = std::max({seen.distance[0], seen.distance[1], seen.distance[2]});
+            bool placed = false;
             for (std::size_t k = 0; k < offsets.size(); ++k) {
-                if (low < offsets[k] && high >= offsets[k] &&
-                    cut(triangle,
-                        {across[0] - offsets[k], across[1] - offsets[k], across[2] - offsets[k]},
-                        ends)) {
-                    add(triangle, ix, iy, out[k]);
+                if (low >= offsets[k] || high < offsets[k]) {
+                    continue;
+                }
+                for (std::size_t c = 0; c < 3 && !placed; ++c) {
+                    seen.at[c] = {plane.u.dot(arms[c]), plane.v.dot(arms[c])};
+                }
+                placed = true;
+                if (cut(seen, offsets[k], segment.a, segment.b)) {
+                    add(triangle, offsets[k], segment, ix, iy, out[k]);
+                }
+            }
+        }
+    };
+
+    // Where u is level, no point of the discs is below their rims at its place along u.
+    constexpr double kLevel = 1e-9;
+    const bool level = std::abs(plane.u.z()) < kLevel;
+    const double middle = center.z() - halfLength * std::abs(w.z());
+    const Eigen::Vector2d u = plane.u.head<2>();
+    const Eigen::Vector2d halfCell(0.5 * cellX_, 0.5 * cellY_);
+    visitRuns(center, w, halfLength, radius, [&](const CellRange& run) {
+        float limit = -std::numeric_limits<float>::infinity();
+        if (level) {
+            const Eigen::Vector2d place(
+                gridX0_ + (run.firstX + run.lastX + 1) * halfCell.x() - center.x(),
+                gridY0_ + (run.firstY + run.lastY + 1) * halfCell.y() - center.y());
+            const double reach = (run.lastX - run.firstX + 1) * halfCell.x() * std::abs(u.x()) +
+                                 (run.lastY - run.firstY + 1) * halfCell.y() * std::abs(u.y());
+            const double s = std::max(0.0, std::abs(u.dot(place)) - reach - kSlack);
+            if (s > radius) {
+                return;
+            }
+            limit = roundedDown(middle - std::abs(plane.v.z()) * std::sqrt(radius2 - s * s));
+        }
+        for (int ix = run.firstX; ix <= run.lastX; ++ix) {
+            std::size_t cell = cellAt(ix, run.firstY);
+            for (int iy = run.firstY; iy <= run.lastY; ++iy, ++cell) {
+                if (cellHighest_[cell] >= limit) {
+                    sliceCell(cell, ix, iy);
                 }
             }
         }

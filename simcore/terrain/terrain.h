@@ -105,14 +105,10 @@ class Terrain {
     /// That a triangle is listed in: one when it fills a cell, as a triangle of a grid does.
     CellRange cellsOf(const std::array<int, 3>& triangle) const;
     std::size_t cellAt(int ix, int iy) const;
-    /// Calls visit(ix, iy) for all cells that a cylinder passes over.
+    /// Calls visit(CellRange) for all cells that a cylinder passes over, a row of them at a time.
     template <class Visit>
-    void visitCells(const Vec3& center, const Vec3& axis, double halfLength, double radius,
-                    Visit&& visit) const;
-    /// The piece of a triangle that lies in a plane. False when there is none.
-    /// @param distance  of the triangle's corners from the plane [m]
-    bool cut(std::size_t triangle, const std::array<double, 3>& distance,
-             std::array<Vec3, 2>& ends) const;
+    void visitRuns(const Vec3& center, const Vec3& axis, double halfLength, double radius,
+                   Visit&& visit) const;
     /// Of a triangle's plane at (x, y) [m]; NaN where the triangle is not, or is vertical.
     double heightOn(std::size_t triangle, double x, double y) const;
 
