@@ -528,9 +528,8 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
 
     const auto add = [&](std::size_t triangle, double offset, const SliceSegment& segment, int ix,
                          int iy, std::vector<SliceSegment>& to) {
-        const Eigen::Vector2d along = segment.b - segment.a;
-        const double s = nearestShare(segment.a, segment.b);
-        const Eigen::Vector2d nearest = segment.a + s * along;
+        const Eigen::Vector2d nearest =
+            segment.a + nearestShare(segment.a, segment.b) * (segment.b - segment.a);
         if (nearest.squaredNorm() > radius2) {
             return;
         }
@@ -548,31 +547,42 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
         to.push_back(segment);
         to.back().normal = normals_[triangle];
     };
+    // The corners' places along u and v, both at a time.
+    const Eigen::Vector2d perX(plane.u.x(), plane.v.x());
+    const Eigen::Vector2d perY(plane.u.y(), plane.v.y());
+    const Eigen::Vector2d perZ(plane.u.z(), plane.v.z());
+    const double* const first = offsets.data();
+    const double* const last = first + offsets.size();
     SeenTriangle seen;
     SliceSegment segment;
+    std::array<Vec3, 3> arms;
     const auto sliceCell = [&](std::size_t cell, int ix, int iy) {
         for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
             const auto triangle =
                 static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]);
-            seen.corners = mesh_.triangles[triangle];
-            std::array<Vec3, 3> arms;
             for (std::size_t k = 0; k < 3; ++k) {
                 arms[k] = cornerOf(triangle, k) - plane.origin;
                 seen.distance[k] = w.dot(arms[k]);
             }
-            const double low = std::min({seen.distance[0], seen.distance[1], seen.distance[2]});
-            const double high = std::max({seen.distance[0], seen.distance[1], seen.distance[2]});
-            bool placed = false;
-            for (std::size_t k = 0; k < offsets.size(); ++k) {
-                if (low >= offsets[k] || high < offsets[k]) {
-                    continue;
-                }
-                for (std::size_t c = 0; c < 3 && !placed; ++c) {
-                    seen.at[c] = {plane.u.dot(arms[c]), plane.v.dot(arms[c])};
-                }
-                placed = true;
-                if (cut(seen, offsets[k], segment.a, segment.b)) {
-                    add(triangle, offsets[k], segment, ix, iy, out[k]);
+            const double low =
+                std::min(std::min(seen.distance[0], seen.distance[1]), seen.distance[2]);
+            const double high =
+                std::max(std::max(seen.distance[0], seen.distance[1]), seen.distance[2]);
+            const double* offset = first;
+            while (offset != last && *offset <= low) {
+                ++offset;
+            }
+            if (offset == last || *offset > high) {
+                continue;
+            }
+            seen.corners = mesh_.triangles[triangle];
+            for (std::size_t k = 0; k < 3; ++k) {
+                seen.at[k] = arms[k].x() * perX + arms[k].y() * perY + arms[k].z() * perZ;
+            }
+            for (; offset != last && *offset <= high; ++offset) {
+                if (cut(seen, *offset, segment.a, segment.b)) {
+                    add(triangle, *offset, segment, ix, iy,
+                        out[static_cast<std::size_t>(offset - first)]);
                 }
             }
         }
