@@ -77,36 +77,46 @@ float roundedDown(double value) {
     return static_cast<float>(value - kSlack - kSingle * std::abs(value));
 }
 
-/// A triangle as planes beside each other see it.
-struct SeenTriangle {
-    std::array<int, 3> corners{};       ///< vertices
-    std::array<double, 3> distance{};   ///< of the corners from the first plane, along v x u [m]
-    std::array<Eigen::Vector2d, 3> at;  ///< the corners along u and v [m]
+/// A vertex of the ground as planes beside each other see it.
+struct SeenVertex {
+    int index = 0;
+    double distance = 0.0;                            ///< from the first plane, along v x u [m]
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< along u and v [m]
 };
+
+/// Where the plane at `offset` cuts an edge. From the lower index's side always, so that neighbours
+/// cut their common edge in the very same point.
+Eigen::Vector2d cutEdge(const SeenVertex& a, const SeenVertex& b, double offset) {
+    const SeenVertex& p = a.index < b.index ? a : b;
+    const SeenVertex& q = a.index < b.index ? b : a;
+    const double share =
+        (p.distance - offset) / ((p.distance - offset) - (q.distance - offset));
+    return p.place + share * (q.place - p.place);
+}
 
 /// The piece of a triangle that lies in the plane at `offset`, its free side to the left of a -> b.
 /// False when there is none.
-bool cut(const SeenTriangle& triangle, double offset, Eigen::Vector2d& a, Eigen::Vector2d& b) {
-    const std::array<double, 3> d{triangle.distance[0] - offset, triangle.distance[1] - offset,
-                                  triangle.distance[2] - offset};
+bool cut(const SeenVertex& first, const SeenVertex& second, const SeenVertex& third, double offset,
+         Eigen::Vector2d& a, Eigen::Vector2d& b) {
     // On the plane counts as above it: a triangle is cut or not, never twice on an edge.
-    const std::array<bool, 3> above{d[0] >= 0.0, d[1] >= 0.0, d[2] >= 0.0};
-    if (above[0] == above[1] && above[1] == above[2]) {
+    const bool above1 = first.distance >= offset;
+    const bool above2 = second.distance >= offset;
+    const bool above3 = third.distance >= offset;
+    if (above1 == above2 && above2 == above3) {
         return false;
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t m = k == 2 ? 0 : k + 1;
-        if (above[k] == above[m]) {
-            continue;
-        }
-        // From the lower index's side always, so that neighbours cut their common edge in the very
-        // same point.
-        const bool inOrder = triangle.corners[k] < triangle.corners[m];
-        const std::size_t p = inOrder ? k : m;
-        const std::size_t q = inOrder ? m : k;
-        const double share = d[p] / (d[p] - d[q]);
+    const auto cutOff = [&](const SeenVertex& alone, const SeenVertex& next,
+                            const SeenVertex& last, bool above) {
         // Round the triangle, its free side in view, the section begins where the way goes down.
-        (above[k] ? a : b) = triangle.at[p] + share * (triangle.at[q] - triangle.at[p]);
+        (above ? a : b) = cutEdge(alone, next, offset);
+        (above ? b : a) = cutEdge(last, alone, offset);
+    };
+    if (above2 == above3) {
+        cutOff(first, second, third, above1);
+    } else if (above1 == above3) {
+        cutOff(second, third, first, above2);
+    } else {
+        cutOff(third, first, second, above3);
     }
     return true;
 }
@@ -333,7 +343,39 @@ void Terrain::index() {
             cellSteepest_[cell] = std::max(cellSteepest_[cell], slope);
         });
     }
+    indexQuads();
     indexHeights();
+}
+
+void Terrain::indexQuads() {
+    quads_.assign(cellStart_.size() - 1, {});
+    std::size_t found = 0;
+    for (std::size_t cell = 0; cell < quads_.size(); ++cell) {
+        if (cellStart_[cell + 1] - cellStart_[cell] != 2) {
+            continue;
+        }
+        const int* const triangles = cellTriangles_.data() + cellStart_[cell];
+        const auto& first = mesh_.triangles[static_cast<std::size_t>(triangles[0])];
+        const auto& second = mesh_.triangles[static_cast<std::size_t>(triangles[1])];
+        if (spread_[static_cast<std::size_t>(triangles[0])] != 0 ||
+            spread_[static_cast<std::size_t>(triangles[1])] != 0) {
+            continue;
+        }
+        // Of the edge that they have in common one sees it the other way round.
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (first[i] == second[k] && first[(i + 2) % 3] == second[(k + 1) % 3]) {
+                    quads_[cell] = {{first[i], first[(i + 1) % 3], first[(i + 2) % 3],
+                                     second[(k + 2) % 3]},
+                                    {triangles[0], triangles[1]}};
+                    ++found;
+                }
+            }
+        }
+    }
+    if (found == 0) {
+        quads_ = {};
+    }
 }
 
 void Terrain::indexHeights() {
@@ -547,44 +589,65 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
         to.push_back(segment);
         to.back().normal = normals_[triangle];
     };
-    // The corners' places along u and v, both at a time.
+    // The vertices' places along u and v, both at a time.
     const Eigen::Vector2d perX(plane.u.x(), plane.v.x());
     const Eigen::Vector2d perY(plane.u.y(), plane.v.y());
     const Eigen::Vector2d perZ(plane.u.z(), plane.v.z());
-    const double* const first = offsets.data();
-    const double* const last = first + offsets.size();
-    SeenTriangle seen;
+    std::array<SeenVertex, 4> seen;
+    const auto see = [&](std::size_t k, int vertex) {
+        const Vec3 arm = mesh_.vertices[static_cast<std::size_t>(vertex)] - plane.origin;
+        seen[k].index = vertex;
+        seen[k].distance = w.dot(arm);
+        seen[k].place = arm.x() * perX + arm.y() * perY + arm.z() * perZ;
+    };
+    const double* const firstOffset = offsets.data();
+    const double* const endOffset = firstOffset + offsets.size();
     SliceSegment segment;
-    std::array<Vec3, 3> arms;
+    /// Calls slice(offset, out) for the planes between two distances.
+    const auto forPlanes = [&](double low, double high, auto&& sliceAt) {
+        for (const double* offset = firstOffset; offset != endOffset && *offset <= high; ++offset) {
+            if (*offset > low) {
+                sliceAt(*offset, out[static_cast<std::size_t>(offset - firstOffset)]);
+            }
+        }
+    };
+    const auto sliceTriangle = [&](std::size_t triangle, int ix, int iy) {
+        const std::array<int, 3>& corners = mesh_.triangles[triangle];
+        for (std::size_t k = 0; k < 3; ++k) {
+            see(k, corners[k]);
+        }
+        const auto [low, high] = std::minmax({seen[0].distance, seen[1].distance, seen[2].distance});
+        forPlanes(low, high, [&](double offset, std::vector<SliceSegment>& to) {
+            if (cut(seen[0], seen[1], seen[2], offset, segment.a, segment.b)) {
+                add(triangle, offset, segment, ix, iy, to);
+            }
+        });
+    };
+    const auto sliceQuad = [&](const Quad& quad, int ix, int iy) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            see(k, quad.corners[k]);
+        }
+        const double low = std::min(std::min(seen[0].distance, seen[1].distance),
+                                    std::min(seen[2].distance, seen[3].distance));
+        const double high = std::max(std::max(seen[0].distance, seen[1].distance),
+                                     std::max(seen[2].distance, seen[3].distance));
+        forPlanes(low, high, [&](double offset, std::vector<SliceSegment>& to) {
+            if (cut(seen[0], seen[1], seen[2], offset, segment.a, segment.b)) {
+                add(static_cast<std::size_t>(quad.triangles[0]), offset, segment, ix, iy, to);
+            }
+            if (cut(seen[0], seen[2], seen[3], offset, segment.a, segment.b)) {
+                add(static_cast<std::size_t>(quad.triangles[1]), offset, segment, ix, iy, to);
+            }
+        });
+    };
     const auto sliceCell = [&](std::size_t cell, int ix, int iy) {
+        if (!quads_.empty() && quads_[cell].isQuad()) {
+            sliceQuad(quads_[cell], ix, iy);
+            return;
+        }
         for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
-            const auto triangle =
-                static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]);
-            for (std::size_t k = 0; k < 3; ++k) {
-                arms[k] = cornerOf(triangle, k) - plane.origin;
-                seen.distance[k] = w.dot(arms[k]);
-            }
-            const double low =
-                std::min(std::min(seen.distance[0], seen.distance[1]), seen.distance[2]);
-            const double high =
-                std::max(std::max(seen.distance[0], seen.distance[1]), seen.distance[2]);
-            const double* offset = first;
-            while (offset != last && *offset <= low) {
-                ++offset;
-            }
-            if (offset == last || *offset > high) {
-                continue;
-            }
-            seen.corners = mesh_.triangles[triangle];
-            for (std::size_t k = 0; k < 3; ++k) {
-                seen.at[k] = arms[k].x() * perX + arms[k].y() * perY + arms[k].z() * perZ;
-            }
-            for (; offset != last && *offset <= high; ++offset) {
-                if (cut(seen, *offset, segment.a, segment.b)) {
-                    add(triangle, *offset, segment, ix, iy,
-                        out[static_cast<std::size_t>(offset - first)]);
-                }
-            }
+            sliceTriangle(static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]),
+                          ix, iy);
         }
     };
 
@@ -592,17 +655,19 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
     constexpr double kLevel = 1e-9;
     const bool level = std::abs(plane.u.z()) < kLevel;
     const double middle = center.z() - halfLength * std::abs(w.z());
-    const Eigen::Vector2d u = plane.u.head<2>();
-    const Eigen::Vector2d halfCell(0.5 * cellX_, 0.5 * cellY_);
+    // Of a place along u, per half a cell.
+    const double perHalfX = 0.5 * cellX_ * plane.u.x();
+    const double perHalfY = 0.5 * cellY_ * plane.u.y();
+    const double perNothing =
+        plane.u.x() * (gridX0_ - center.x()) + plane.u.y() * (gridY0_ - center.y());
     visitRuns(center, w, halfLength, radius, [&](const CellRange& run) {
         float limit = -std::numeric_limits<float>::infinity();
         if (level) {
-            const Eigen::Vector2d place(
-                gridX0_ + (run.firstX + run.lastX + 1) * halfCell.x() - center.x(),
-                gridY0_ + (run.firstY + run.lastY + 1) * halfCell.y() - center.y());
-            const double reach = (run.lastX - run.firstX + 1) * halfCell.x() * std::abs(u.x()) +
-                                 (run.lastY - run.firstY + 1) * halfCell.y() * std::abs(u.y());
-            const double s = std::max(0.0, std::abs(u.dot(place)) - reach - kSlack);
+            const double place = perHalfX * (run.firstX + run.lastX + 1) +
+                                 perHalfY * (run.firstY + run.lastY + 1) + perNothing;
+            const double reach = std::abs(perHalfX) * (run.lastX - run.firstX + 1) +
+                                 std::abs(perHalfY) * (run.lastY - run.firstY + 1);
+            const double s = std::max(0.0, std::abs(place) - reach - kSlack);
             if (s > radius) {
                 return;
             }

@@ -92,6 +92,7 @@ class Terrain {
 
   private:
     void index();
+    void indexQuads();
     void indexHeights();
     float highestIn(std::size_t level, int ix, int iy) const;
 
@@ -128,6 +129,15 @@ class Terrain {
     int gridNx_ = 0, gridNy_ = 0;
     std::vector<int> cellStart_;
     std::vector<int> cellTriangles_;
+    /// Two triangles that fill a cell, as those of a height field do: of corners 0, 1, 2 and 0, 2, 3.
+    struct Quad {
+        std::array<int, 4> corners{-1, -1, -1, -1};
+        std::array<int, 2> triangles{-1, -1};
+
+        bool isQuad() const { return corners[0] >= 0; }
+    };
+
+    std::vector<Quad> quads_;  ///< of every cell; empty where the ground has none
     std::vector<float> cellSteepest_;  ///< steepest slope of the triangles in each cell [rad]
     float steepest_ = 0.0F;
     std::vector<float> cellHighest_;  ///< no ground in the cell is above it [m], world
