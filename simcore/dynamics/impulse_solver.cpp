@@ -20,6 +20,8 @@ constexpr int kMaxSlowIterations = 16;
 constexpr std::array<double, 6> kShares{1.0, 0.6, 0.3, 0.12, 0.05, 0.02};
 constexpr int kMaxLimitChanges = 6;
 constexpr int kMaxSweeps = 2000;
+// Of the gradients before Newton's method is tried again, for the first time.
+constexpr int kSweepsBeforeNewton = 32;
 // Debug builds stop at a contact that is further than this many tolerances from its law.
 [[maybe_unused]] constexpr double kToleratedResidual = 100.0;
 
@@ -202,8 +204,7 @@ void ImpulseSolver::makeLevers(const ImpulseProblem& problem) {
         const Lever& lever = levers_[c];
         double* rows = factors_.data() + lever.first;
         for (std::size_t i = 0; i < lever.body->indices.size(); ++i) {
-            const Vec3 velocity =
-                problem.contacts[c].wrenches.transpose() * lever.body->twists[i];
+            const Vec3 velocity = problem.contacts[c].wrenches.transpose() * lever.body->twists[i];
             for (std::size_t k = 0; k < 3; ++k) {
                 rows[k * lever.stride + i] = velocity[static_cast<Eigen::Index>(k)];
             }
@@ -365,8 +366,7 @@ bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Way w
         const double share = whole ? 1.0 : bestShare(problem, way);
         for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
             ContactRow& contact = problem.contacts[c];
-            contact.impulse =
-                whole ? asked_[c].impulse : impulseAt(c, contact, way, share);
+            contact.impulse = whole ? asked_[c].impulse : impulseAt(c, contact, way, share);
             contact.velocity += share * (asked_[c].velocity - contact.velocity);
         }
         if (solved) {
@@ -387,7 +387,7 @@ void ImpulseSolver::reserve(std::size_t contacts, std::size_t rows, std::size_t 
     firstImpulses_.reserve(contacts);
     // Of gradients(): the largest problems seen have a quarter of this many contacts.
     const std::size_t m = 3 * contacts / 4 + rows;
-    room_.reserve(2 * m * rates + m * m + 5 * m);
+    room_.reserve(2 * m * rates + m * m + 5 * m + rates);
     free_.reserve(m);
 }
 
@@ -398,11 +398,24 @@ void ImpulseSolver::startAgain(ImpulseProblem& problem, Eigen::VectorXd& u) cons
     }
 }
 
+/// Takes the rows' impulses and limits from u. False when a limit was another one.
+bool ImpulseSolver::limitsHold(ImpulseProblem& problem, const Eigen::VectorXd& u) {
+    bool hold = true;
+    for (std::size_t k = 0; k < problem.rows.size(); ++k) {
+        ScalarRow& row = problem.rows[k];
+        const double asked = (row.bound - along(row, u)) / row.compliance;
+        const int limit = asked > row.most ? 1 : (asked < row.least ? -1 : 0);
+        row.impulse = std::clamp(asked, row.least, row.most);
+        hold = hold && limit == limits_[k];
+        limits_[k] = limit;
+    }
+    return hold;
+}
+
 // A stop pushes or not, a motor is at a limit or not: changed only between solves of the contacts,
 // since changing both at once cycles.
 bool ImpulseSolver::withinLimits(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
                                  ImpulseCounters& counters) {
-    bool within = true;
     for (int change = 0; change < kMaxLimitChanges; ++change) {
         if (!newton(problem, lu, Way::Quick, u, counters)) {
             startAgain(problem, u);
@@ -410,18 +423,7 @@ bool ImpulseSolver::withinLimits(ImpulseProblem& problem, const PatternedLu& lu,
                 return false;
             }
         }
-        within = true;
-        for (std::size_t k = 0; k < problem.rows.size(); ++k) {
-            ScalarRow& row = problem.rows[k];
-            const double asked = (row.bound - along(row, u)) / row.compliance;
-            const int limit = asked > row.most ? 1 : (asked < row.least ? -1 : 0);
-            row.impulse = std::clamp(asked, row.least, row.most);
-            if (limit != limits_[k]) {
-                limits_[k] = limit;
-                within = false;
-            }
-        }
-        if (within) {
+        if (limitsHold(problem, u)) {
             return true;
         }
     }
@@ -443,7 +445,7 @@ void ImpulseSolver::solve(ImpulseProblem& problem, const PatternedLu& lu, Eigen:
     if (!withinLimits(problem, lu, u, counters)) {
         ++counters.fallbacks;
         startAgain(problem, u);
-        gradients(problem, lu, u);
+        gradients(problem, lu, u, counters);
     }
     double residual = 0.0;
     for (const ContactRow& contact : problem.contacts) {
@@ -494,15 +496,17 @@ void ImpulseSolver::sweep(ImpulseProblem& problem, double* p) const {
     }
 }
 
-// In the space of the impulses, with the matrix of what each does to every velocity.
-void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u) {
+// In the space of the impulses, with the matrix of what each does to every velocity. Newton's
+// method is tried again from where they get to: near the solution it is far quicker.
+void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
+                              ImpulseCounters& counters) {
     using Matrix = Eigen::Map<RowMajor>;
     using Vector = Eigen::Map<Eigen::VectorXd>;
     const auto n = problem.momentum.size();
     const auto contactRows = static_cast<Eigen::Index>(3 * problem.contacts.size());
     const auto m = contactRows + static_cast<Eigen::Index>(problem.rows.size());
     size_ = m;
-    room_.assign(static_cast<std::size_t>(2 * m * n + m * m + 5 * m), 0.0);
+    room_.assign(static_cast<std::size_t>(2 * m * n + m * m + 5 * m + n), 0.0);
     double* next = room_.data();
     const auto take = [&next](Eigen::Index size) {
         double* taken = next;
@@ -517,6 +521,7 @@ void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
     Vector gradient(take(m), m);
     Vector direction(take(m), m);
     Vector step(take(m), m);
+    Vector unpushed(take(n), n);  // the rates without any impulse
 
     for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
         const Lever& lever = levers_[c];
@@ -533,12 +538,14 @@ void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
             jacobian(contactRows + static_cast<Eigen::Index>(k), row.indices[i]) = row.factors[i];
         }
     }
-    matrix_ = problem.mass;
+    matrix_.resize(n, n + 1);
+    matrix_.leftCols(n) = problem.mass;
+    matrix_.col(n) = problem.momentum;
     lu.factor(matrix_);
-    u = problem.momentum;
-    lu.solve(matrix_, u);  // without any impulse
+    lu.solveCarried(matrix_, right_);
+    unpushed = right_;
     free_.resize(static_cast<std::size_t>(m));
-    Vector(free_.data(), m).noalias() = jacobian * u;
+    Vector(free_.data(), m).noalias() = jacobian * unpushed;
     for (Eigen::Index row = 0; row < m; ++row) {
         right_ = jacobian.row(row).transpose();
         lu.solve(matrix_, right_);
@@ -557,12 +564,33 @@ void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
     if (!p.allFinite()) {
         p.setZero();
     }
+    const auto handOver = [&] {
+        u = unpushed;
+        u.noalias() += answers.transpose() * p;
+        for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+            ContactRow& contact = problem.contacts[c];
+            contact.impulse = p.segment<3>(static_cast<Eigen::Index>(3 * c));
+            contact.velocity = velocityOf(levers_[c], u);
+        }
+        for (std::size_t k = 0; k < problem.rows.size(); ++k) {
+            problem.rows[k].impulse = p[contactRows + static_cast<Eigen::Index>(k)];
+        }
+    };
     before = p;
     sweep(problem, p.data());
     gradient = before - p;
     direction = -gradient;
     constexpr double kSweepTolerance = 0.1;
+    int nextTry = kSweepsBeforeNewton;
     for (int k = 0; k < kMaxSweeps; ++k) {
+        if (k == nextTry) {
+            nextTry *= 2;
+            handOver();
+            limitsHold(problem, u);
+            if (newton(problem, lu, Way::Quick, u, counters) && limitsHold(problem, u)) {
+                return;
+            }
+        }
         before = p;
         sweep(problem, p.data());
         step = before - p;
@@ -579,15 +607,7 @@ void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
         }
         gradient = step;
     }
-    u.noalias() += answers.transpose() * p;
-    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-        ContactRow& contact = problem.contacts[c];
-        contact.impulse = p.segment<3>(static_cast<Eigen::Index>(3 * c));
-        contact.velocity = velocityOf(levers_[c], u);
-    }
-    for (std::size_t k = 0; k < problem.rows.size(); ++k) {
-        problem.rows[k].impulse = p[contactRows + static_cast<Eigen::Index>(k)];
-    }
+    handOver();
 }
 
 }  // namespace simcore::dynamics

@@ -25,7 +25,8 @@
 /// Methods Appl. Mech. Eng. 92, 1991), which starts from the last step's impulses and needs one or
 /// two iterations, each as long as brings it nearest to the laws. Where it cycles all the same,
 /// nonsmooth nonlinear conjugate gradients (M. Silcowitz, S. Niebe and K. Erleben, Visual Computer
-/// 26, 2010) converge, slowly.
+/// 26, 2010) converge, slowly; every now and then Newton's method is tried again from where they
+/// are.
 namespace simcore::dynamics {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -140,7 +141,9 @@ class ImpulseSolver {
     void startAgain(ImpulseProblem& problem, Eigen::VectorXd& u) const;
     bool withinLimits(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
                       ImpulseCounters& counters);
-    void gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u);
+    bool limitsHold(ImpulseProblem& problem, const Eigen::VectorXd& u);
+    void gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
+                   ImpulseCounters& counters);
     void sweep(ImpulseProblem& problem, double* impulses) const;
 
     /// A contact's three velocities by the independent rates that its body has: rows of `stride`
@@ -169,11 +172,11 @@ class ImpulseSolver {
     Eigen::VectorXd right_;
     std::vector<Lever> levers_;  ///< of every contact
     std::vector<double> factors_;
-    std::vector<double> blocks_;               ///< what one body's contacts add to the matrix
-    std::vector<double> stiffened_;            ///< C times a lever
-    std::vector<ContactLaw> laws_;    ///< of every contact
-    std::vector<Asked> asked_;        ///< of every contact
-    std::vector<int> limits_;  ///< per scalar row: -1, 0, 1 where it is held at a limit
+    std::vector<double> blocks_;     ///< what one body's contacts add to the matrix
+    std::vector<double> stiffened_;  ///< C times a lever
+    std::vector<ContactLaw> laws_;   ///< of every contact
+    std::vector<Asked> asked_;       ///< of every contact
+    std::vector<int> limits_;        ///< per scalar row: -1, 0, 1 where it is held at a limit
     // What solving starts from.
     Eigen::VectorXd firstU_;
     std::vector<Vec3> firstImpulses_;
