@@ -2,10 +2,12 @@
 
 add_library(rover_options INTERFACE)
 # -Wrestrict: GCC 12 reports std::string concatenation falsely (GCC bug 105329); clang has none.
-# Contraction to fused multiply-add would make a run's hash depend on the optimiser.
+# Contraction to fused multiply-add would make a run's hash depend on the optimiser. Nothing reads
+# errno after mathematics, nor the processor's floating-point flags; results stay the same to the bit.
 target_compile_options(rover_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
     -Wimplicit-fallthrough -Wdouble-promotion $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off
+    -fno-math-errno -fno-trapping-math
     $<$<BOOL:${ROVER_WERROR}>:-Werror>)
 target_include_directories(rover_options INTERFACE "${CMAKE_SOURCE_DIR}")
 if(ROVER_SANITIZE)

@@ -333,19 +333,42 @@ double BodyContactFinder::gapBelow(const Bounds& bounds, const Placed& placed, d
     return center.z() - half.z() - terrain_.highest(center - half - around, center + half + around);
 }
 
-// A look at the ground round a body serves for many steps, until it has moved as far as that.
+/// How far any point of a body may move from where it is without touching, by boxes that get
+/// smaller; <= 0 where none is known [m].
+double BodyContactFinder::clearanceOf(const Placed& placed) const {
+    constexpr double kRound = 0.03;      // [m], assumed: a step moves a body by 0.2 mm
+    constexpr double kRoundPoint = 0.01;  // [m], assumed
+    double least = std::min(gapBelow(placed.part.bounds, placed, kRound), kRound);
+    if (least >= kRoundPoint) {
+        return least;
+    }
+    least = kRoundPoint;
+    for (const Patch& patch : placed.part.patches) {
+        if (gapBelow(patch.bounds, placed, kRoundPoint) >= least) {
+            continue;
+        }
+        for (std::size_t i = patch.first; i < patch.end && least > 0.0; ++i) {
+            const BodySample& sample = placed.part.samples[i];
+            const Vec3 half = Vec3::Constant(sample.radius);
+            least = std::min(least, gapBelow({sample.point, half}, placed, kRoundPoint));
+        }
+    }
+    return least;
+}
+
+// A look at the ground round a body serves for many steps, until it has moved as far as that, or,
+// where it was too near, far enough for another look.
 bool BodyContactFinder::staysClear(std::size_t part, const Placed& placed) {
-    constexpr double kRound = 0.03;  // [m], assumed: a step moves a body by 0.2 mm
+    constexpr double kLookAgain = 0.002;  // [m], assumed
     Clearance& clear = clear_[part];
     const Eigen::Quaterniond turn = clear.X_WB.rotation.conjugate() * placed.X_WB.rotation;
     const double moved = (placed.X_WB.position - clear.X_WB.position).norm() +
                          2.0 * placed.part.farthest * turn.vec().norm();
-    if (moved < clear.distance) {
-        return true;
+    if (moved >= clear.distance) {
+        const double gap = clearanceOf(placed);
+        clear = {placed.X_WB, std::max(gap, kLookAgain), gap >= kLookAgain};
     }
-    const double gap = gapBelow(placed.part.bounds, placed, kRound);
-    clear = {placed.X_WB, std::min(gap, kRound)};
-    return gap > 0.0;
+    return clear.isClear;
 }
 
 void BodyContactFinder::touch(std::size_t index, const Placed& placed) {
@@ -450,7 +473,7 @@ const std::vector<Contact>& BodyContactFinder::find(const std::vector<Pose>& bod
         const Pose& X_WB = bodies[static_cast<std::size_t>(part.body)];
         const Mat3 R = X_WB.rotation.toRotationMatrix();
         const Placed placed{part, X_WB, R, levelForward(R)};
-        if (staysClear(index, placed) || gapBelow(part.bounds, placed, 0.0) >= 0.0) {
+        if (staysClear(index, placed)) {
             continue;
         }
         touching_.clear();

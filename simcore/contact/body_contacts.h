@@ -67,11 +67,12 @@ class BodyContactFinder {
         std::vector<BodySample> samples;
     };
 
-    /// Where a body was found clear of the ground, and how far any point of it may move from there
-    /// without touching.
+    /// Where a body was when its distance from the ground was looked at, and how far any point of
+    /// it may move from there before it is looked at again.
     struct Clearance {
         Pose X_WB;
         double distance = 0.0;  ///< [m]
+        bool isClear = false;   ///< it touches nothing until then
     };
 
     /// A body as it stands in a step.
@@ -85,6 +86,7 @@ class BodyContactFinder {
     void addPart(int body);
     /// From the ground up to a box that is `round` wider on all sides, < 0 where it may touch [m].
     double gapBelow(const Bounds& bounds, const Placed& placed, double round) const;
+    double clearanceOf(const Placed& placed) const;
     bool staysClear(std::size_t part, const Placed& placed);
     void touch(std::size_t sample, const Placed& placed);
     void keepBest(const Placed& placed, bool walls);

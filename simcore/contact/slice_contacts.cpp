@@ -60,7 +60,9 @@ SliceContactFinder::SliceContactFinder() {
 const std::vector<SliceContact>& SliceContactFinder::find(std::vector<SliceSegment>& segments,
                                                           const SlicePlane& plane, double radius,
                                                           double margin) {
-    std::erase_if(segments, [](const SliceSegment& s) { return (s.b - s.a).norm() < kShortest; });
+    std::erase_if(segments, [](const SliceSegment& s) {
+        return (s.b - s.a).squaredNorm() < kShortest * kShortest;
+    });
     segments_ = &segments;
     plane_ = &plane;
     radius_ = radius;

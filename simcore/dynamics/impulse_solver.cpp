@@ -8,19 +8,22 @@
 namespace simcore::dynamics {
 namespace {
 
-// The same for sticking and sliding. Where wheels that an uneven ground makes scrub slide by some
-// 0.1 mm/s, a small one takes them for sticking as soon as their load grows a little: with 0.02 kg
-// bench_rover's rough ground takes 6.0 iterations a step, with this one 3.5. With 1 kg and more its
-// waves take more again.
-constexpr double kSlidingMass = 0.3;  // [kg]
-constexpr int kMaxIterations = 7;
+// Masses of the projections that tell touching from open and sticking from sliding, over
+// ImpulseProblem::contactMass. Near what contacts move along their normal and sideways, they make
+// most iterations on bench_rover's rough ground end where 0.02 and 0.3 kg made one in eight cycle.
+constexpr double kOpeningMass = 1.0;
+constexpr double kSlidingMass = 4.0;
+// Of the quick way, and of the slow one that is gone where the quick one cycles.
+constexpr int kMaxIterations = 9;
+constexpr int kMaxSlowIterations = 16;
+// Shares of a Newton step to choose from. States of contacts change all at once in a whole one.
+constexpr std::array<double, 6> kShares{1.0, 0.6, 0.3, 0.12, 0.05, 0.02};
 constexpr int kMaxLimitChanges = 6;
 constexpr int kMaxSweeps = 2000;
+// Of the gradients before Newton's method is tried again, for the first time.
+constexpr int kSweepsBeforeNewton = 32;
 // Debug builds stop at a contact that is further than this many tolerances from its law.
 [[maybe_unused]] constexpr double kToleratedResidual = 100.0;
-// Creep of sticking, over what it is to be, in the stages that Newton's iteration gets when it
-// cycles; each starts from where the one before it came to.
-constexpr std::array<double, 5> kStages{100.0, 20.0, 5.0, 2.0, 1.0};
 
 double along(const ScalarRow& row, const Eigen::VectorXd& u) {
     double velocity = 0.0;
@@ -30,12 +33,12 @@ double along(const ScalarRow& row, const Eigen::VectorXd& u) {
     return velocity;
 }
 
-Vec6 twistOf(const RateMap& body, const Eigen::VectorXd& u) {
-    Vec6 twist = Vec6::Zero();
-    for (std::size_t i = 0; i < body.indices.size(); ++i) {
-        twist += u[body.indices[i]] * body.twists[i];
+/// into[i] += factor * from[i].
+void addScaled(double factor, const double* from, std::size_t count, double* into) {
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < count; ++i) {
+        into[i] += factor * from[i];
     }
-    return twist;
 }
 
 /// The impulse nearest to `p` within the cone.
@@ -47,18 +50,58 @@ Vec3 projected(const Vec3& p, double friction) {
     return {normal, scale * p[1], scale * p[2]};
 }
 
-}  // namespace
+/// By how much an impulse changes that is projected onto the law [N s].
+/// @param opening, sliding  masses of the projection, normal and tangential [kg]
+Vec3 naturalMap(const ContactRow& contact, const Vec3& p, const Vec3& v,
+                const ImpulseProblem& problem, double opening, double sliding) {
+    const Vec3 trial(p[0] - opening * (v[0] + problem.normalCompliance * p[0] - contact.bound),
+                     p[1] - sliding * (v[1] + problem.tangentialCompliance * p[1]),
+                     p[2] - sliding * (v[2] + problem.tangentialCompliance * p[2]));
+    return p - projected(trial, contact.friction);
+}
 
-double naturalResidual(const ContactRow& contact, double normalCompliance,
-                       double tangentialCompliance) {
-    const double r = kProjectionMass;
+/// How far a contact is from its law [N s].
+double residualOf(const ContactRow& contact, const Vec3& p, const Vec3& v,
+                  const ImpulseProblem& problem) {
+    return naturalMap(contact, p, v, problem, kProjectionMass, kProjectionMass)
+        .cwiseAbs()
+        .maxCoeff();
+}
+
+/// What a contact pushes: p = push - stiffness v, in the state that impulse and velocity tell.
+ContactLaw lawOf(const ContactRow& contact, const ImpulseProblem& problem) {
+    const double en = problem.normalCompliance;
+    const double et = problem.tangentialCompliance;
     const Vec3& p = contact.impulse;
     const Vec3& v = contact.velocity;
-    const Vec3 trial(p[0] - r * (v[0] + normalCompliance * p[0] - contact.bound),
-                     p[1] - r * (v[1] + tangentialCompliance * p[1]),
-                     p[2] - r * (v[2] + tangentialCompliance * p[2]));
-    return (p - projected(trial, contact.friction)).cwiseAbs().maxCoeff();
+    ContactLaw law;
+    const double opening = kOpeningMass * problem.contactMass;
+    const double z = p[0] - opening * (v[0] + en * p[0] - contact.bound);
+    if (!(z > 0.0)) {
+        return law;
+    }
+    law.touches = true;
+    law.push[0] = contact.bound / en;
+    law.stiffness(0, 0) = 1.0 / en;
+    const double sliding = kSlidingMass * problem.contactMass;
+    const Eigen::Vector2d t = p.tail<2>() - sliding * (v.tail<2>() + et * p.tail<2>());
+    const double size = t.norm();
+    const double limit = contact.friction * z;
+    if (size <= limit) {
+        law.stiffness(1, 1) = law.stiffness(2, 2) = 1.0 / et;
+        return law;
+    }
+    const Eigen::Vector2d direction = t / size;
+    const double kappa = limit / size;
+    const double s = kappa * sliding / (1.0 - kappa + kappa * sliding * et);
+    law.push.tail<2>() = contact.friction * law.push[0] * direction;
+    law.stiffness.block<2, 1>(1, 0) = contact.friction / en * direction;
+    law.stiffness.block<2, 2>(1, 1) =
+        s * (Eigen::Matrix2d::Identity() - direction * direction.transpose());
+    return law;
 }
+
+}  // namespace
 
 void PatternedLu::reset(int size) {
     size_ = size;
@@ -77,6 +120,8 @@ void PatternedLu::couple(const std::vector<int>& indices) {
 void PatternedLu::close() {
     const auto n = static_cast<std::size_t>(size_);
     after_.assign(n, {});
+    runs_.assign(n, {});
+    constexpr int kSmallGap = 2;  // cheaper to run over than to begin anew
     for (std::size_t k = 0; k < n; ++k) {
         for (std::size_t i = k + 1; i < n; ++i) {
             if (pattern_[k][i]) {
@@ -84,130 +129,247 @@ void PatternedLu::close() {
             }
         }
         couple(after_[k]);
+        for (const int i : after_[k]) {
+            if (!runs_[k].empty() && i <= runs_[k].back().end + kSmallGap) {
+                runs_[k].back().end = i + 1;
+            } else {
+                runs_[k].push_back({i, i + 1});
+            }
+        }
     }
 }
 
 void PatternedLu::factor(RowMajor& matrix) const {
+    const auto carried = static_cast<std::size_t>(matrix.cols() - size_);
     for (int k = 0; k < size_; ++k) {
         const double* pivotRow = matrix.row(k).data();
         const double inverse = 1.0 / pivotRow[k];
-        const std::vector<int>& after = after_[static_cast<std::size_t>(k)];
-        for (int i : after) {
+        for (const int i : after_[static_cast<std::size_t>(k)]) {
             double* row = matrix.row(i).data();
-            const double factor = row[k] * inverse;
-            row[k] = factor;
-            for (int j : after) {
-                row[j] -= factor * pivotRow[j];
+            const double factor = -row[k] * inverse;
+            row[k] = -factor;
+            for (const Run& run : runs_[static_cast<std::size_t>(k)]) {
+                addScaled(factor, pivotRow + run.first,
+                          static_cast<std::size_t>(run.end - run.first), row + run.first);
             }
+            addScaled(factor, pivotRow + size_, carried, row + size_);
         }
     }
 }
 
 void PatternedLu::solve(const RowMajor& factored, Eigen::VectorXd& x) const {
     for (int k = 0; k < size_; ++k) {
-        for (int i : after_[static_cast<std::size_t>(k)]) {
+        for (const int i : after_[static_cast<std::size_t>(k)]) {
             x[i] -= factored(i, k) * x[k];
         }
     }
+    substituteBack(factored, x);
+}
+
+void PatternedLu::solveCarried(const RowMajor& factored, Eigen::VectorXd& x) const {
+    x = factored.col(size_);
+    substituteBack(factored, x);
+}
+
+void PatternedLu::substituteBack(const RowMajor& factored, Eigen::VectorXd& x) const {
     for (int k = size_ - 1; k >= 0; --k) {
+        const double* row = factored.row(k).data();
         double value = x[k];
-        for (int j : after_[static_cast<std::size_t>(k)]) {
-            value -= factored(k, j) * x[j];
+        for (const Run& run : runs_[static_cast<std::size_t>(k)]) {
+            for (int j = run.first; j < run.end; ++j) {
+                value -= row[j] * x[j];
+            }
         }
-        x[k] = value / factored(k, k);
+        x[k] = value / row[k];
     }
 }
 
-bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
-                           ImpulseCounters& counters) {
-    const double en = problem.normalCompliance;
-    const double et = problem.tangentialCompliance;
-    const double r = kProjectionMass;
-    for (ContactRow& contact : problem.contacts) {
-        contact.velocity = contact.wrenches.transpose() *
-                           twistOf(problem.bodies[static_cast<std::size_t>(contact.body)], u);
+void ImpulseSolver::makeLevers(const ImpulseProblem& problem) {
+    levers_.resize(problem.contacts.size());
+    std::size_t size = 0;
+    std::size_t longest = 0;
+    for (std::size_t c = 0; c < levers_.size(); ++c) {
+        const auto body = static_cast<std::size_t>(problem.contacts[c].body);
+        Lever& lever = levers_[c];
+        lever.body = &problem.bodies[body];
+        lever.first = size;
+        lever.stride = lever.body->indices.size() + lever.body->indices.size() % 2;
+        size += 3 * lever.stride;
+        longest = std::max(longest, lever.stride);
     }
-    stiff_.resize(problem.bodies.size());
-    push_.resize(problem.bodies.size());
-    for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    factors_.assign(size, 0.0);
+    blocks_.resize(longest * longest);
+    stiffened_.resize(3 * longest);
+    for (std::size_t c = 0; c < levers_.size(); ++c) {
+        const Lever& lever = levers_[c];
+        double* rows = factors_.data() + lever.first;
+        for (std::size_t i = 0; i < lever.body->indices.size(); ++i) {
+            const Vec3 velocity = problem.contacts[c].wrenches.transpose() * lever.body->twists[i];
+            for (std::size_t k = 0; k < 3; ++k) {
+                rows[k * lever.stride + i] = velocity[static_cast<Eigen::Index>(k)];
+            }
+        }
+    }
+}
+
+Vec3 ImpulseSolver::velocityOf(const Lever& lever, const Eigen::VectorXd& u) const {
+    const double* rows = factors_.data() + lever.first;
+    Vec3 velocity = Vec3::Zero();
+    for (std::size_t i = 0; i < lever.body->indices.size(); ++i) {
+        const double rate = u[lever.body->indices[i]];
+        velocity += rate * Vec3(rows[i], rows[lever.stride + i], rows[2 * lever.stride + i]);
+    }
+    return velocity;
+}
+
+/// Adds what the contacts' laws say to the matrix and its right side, body by body.
+void ImpulseSolver::addContacts(const ImpulseProblem& problem) {
+    const Eigen::Index last = problem.momentum.size();
+    for (std::size_t c = 0; c < levers_.size();) {
+        const Lever& own = levers_[c];
+        const std::vector<int>& indices = own.body->indices;
+        const std::size_t stride = own.stride;
+        bool pushes = false;
+        // Contacts of a body follow each other.
+        for (; c < levers_.size() && levers_[c].body == own.body; ++c) {
+            const ContactLaw& law = laws_[c];
+            if (!law.touches) {
+                continue;
+            }
+            if (!pushes) {
+                std::fill_n(blocks_.begin(), stride * stride, 0.0);
+                pushes = true;
+            }
+            const double* lever = factors_.data() + levers_[c].first;
+            std::fill_n(stiffened_.begin(), 3 * stride, 0.0);
+            for (std::size_t k = 0; k < 3; ++k) {
+                for (std::size_t m = 0; m < 3; ++m) {
+                    const double element =
+                        law.stiffness(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(m));
+                    if (element != 0.0) {
+                        addScaled(element, lever + m * stride, stride,
+                                  stiffened_.data() + k * stride);
+                    }
+                }
+            }
+            for (std::size_t i = 0; i < indices.size(); ++i) {
+                double* row = blocks_.data() + i * stride;
+                const double a = lever[i];
+                const double b = lever[stride + i];
+                const double d = lever[2 * stride + i];
+                const double* first = stiffened_.data();
+                const double* second = first + stride;
+                const double* third = second + stride;
+#pragma GCC ivdep
+                for (std::size_t j = 0; j < stride; ++j) {
+                    row[j] += a * first[j] + b * second[j] + d * third[j];
+                }
+                matrix_(indices[i], last) += a * law.push[0] + b * law.push[1] + d * law.push[2];
+            }
+        }
+        for (std::size_t i = 0; pushes && i < indices.size(); ++i) {
+            double* row = matrix_.row(indices[i]).data();
+            const double* block = blocks_.data() + i * stride;
+            for (std::size_t j = 0; j < indices.size(); ++j) {
+                row[indices[j]] += block[j];
+            }
+        }
+    }
+}
+
+void ImpulseSolver::addRows(const ImpulseProblem& problem) {
+    const Eigen::Index last = problem.momentum.size();
+    for (std::size_t k = 0; k < problem.rows.size(); ++k) {
+        const ScalarRow& row = problem.rows[k];
+        const bool free = limits_[k] == 0;
+        const double impulse =
+            free ? row.bound / row.compliance : (limits_[k] > 0 ? row.most : row.least);
+        for (std::size_t i = 0; i < row.indices.size(); ++i) {
+            matrix_(row.indices[i], last) += row.factors[i] * impulse;
+            for (std::size_t j = 0; free && j < row.indices.size(); ++j) {
+                matrix_(row.indices[i], row.indices[j]) +=
+                    row.factors[i] * row.factors[j] / row.compliance;
+            }
+        }
+    }
+}
+
+Vec3 ImpulseSolver::impulseAt(std::size_t index, const ContactRow& contact, Way way,
+                              double share) const {
+    const Vec3 p = contact.impulse + share * (asked_[index].impulse - contact.impulse);
+    return way == Way::Quick ? projected(p, contact.friction) : p;
+}
+
+/// Square sum of the natural map of all contacts, that share of the way to what the last solution
+/// asks for [N^2 s^2].
+double ImpulseSolver::merit(const ImpulseProblem& problem, Way way, double share) const {
+    const double opening = kOpeningMass * problem.contactMass;
+    const double sliding = kSlidingMass * problem.contactMass;
+    double sum = 0.0;
+    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+        const ContactRow& contact = problem.contacts[c];
+        const Vec3 p = impulseAt(c, contact, way, share);
+        const Vec3 v = contact.velocity + share * (asked_[c].velocity - contact.velocity);
+        sum += naturalMap(contact, p, v, problem, opening, sliding).squaredNorm();
+    }
+    return sum;
+}
+
+// A whole step changes the states of many contacts at once, and may change them back in the next.
+// The share of it that comes nearest to the laws gets out of that.
+double ImpulseSolver::bestShare(const ImpulseProblem& problem, Way way) const {
+    double best = kShares.front();
+    double least = merit(problem, way, best);
+    for (std::size_t i = 1; i < kShares.size(); ++i) {
+        if (const double found = merit(problem, way, kShares[i]); found < least) {
+            least = found;
+            best = kShares[i];
+        }
+    }
+    return best;
+}
+
+// A law's tangent leaves the cone where the sliding turns. The quick way puts impulses back onto it
+// after each step, which takes a third of the iterations but may cycle where the slow one does not.
+bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Way way,
+                           Eigen::VectorXd& u, ImpulseCounters& counters) {
+    const Eigen::Index n = problem.momentum.size();
+    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+        problem.contacts[c].velocity = velocityOf(levers_[c], u);
+    }
+    matrix_.resize(n, n + 1);
+    laws_.resize(problem.contacts.size());
+    asked_.resize(problem.contacts.size());
+    const int most = way == Way::Quick ? kMaxIterations : kMaxSlowIterations;
+    for (int iteration = 0; iteration < most; ++iteration) {
         ++counters.iterations;
-        matrix_ = problem.mass;
-        right_ = problem.momentum;
-        for (const int touched : problem.touched) {
-            stiff_[static_cast<std::size_t>(touched)].setZero();
-            push_[static_cast<std::size_t>(touched)].setZero();
-        }
-        // Every contact pushes with p = p0 - C v in the state that it is in now.
-        laws_.resize(problem.contacts.size());
+        matrix_.leftCols(n) = problem.mass;
+        matrix_.col(n) = problem.momentum;
         for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-            const ContactRow& contact = problem.contacts[c];
-            Vec3& push = laws_[c].first;
-            Mat3& stiff = laws_[c].second;
-            push.setZero();
-            stiff.setZero();
-            const Vec3& p = contact.impulse;
-            const Vec3& v = contact.velocity;
-            const double z = p[0] - r * (v[0] + en * p[0] - contact.bound);
-            if (z > 0.0) {
-                push[0] = contact.bound / en;
-                stiff(0, 0) = 1.0 / en;
-                const Eigen::Vector2d t =
-                    p.tail<2>() - kSlidingMass * (v.tail<2>() + et * p.tail<2>());
-                const double size = t.norm();
-                const double limit = contact.friction * z;
-                if (size <= limit) {
-                    stiff(1, 1) = stiff(2, 2) = 1.0 / et;
-                } else {
-                    const Eigen::Vector2d direction = t / size;
-                    const double kappa = limit / size;
-                    const double s = std::min(kappa * kSlidingMass / (1.0 - kappa), 1.0 / et);
-                    push.tail<2>() = contact.friction * push[0] * direction;
-                    stiff.block<2, 1>(1, 0) = contact.friction / en * direction;
-                    stiff.block<2, 2>(1, 1) =
-                        s * (Eigen::Matrix2d::Identity() - direction * direction.transpose());
-                }
-                const auto body = static_cast<std::size_t>(contact.body);
-                const Eigen::Matrix<double, 6, 3> pushed = contact.wrenches * stiff;
-                stiff_[body].noalias() += pushed * contact.wrenches.transpose();
-                push_[body].noalias() += contact.wrenches * push;
-            }
+            laws_[c] = lawOf(problem.contacts[c], problem);
         }
-        for (const int touched : problem.touched) {
-            const auto b = static_cast<std::size_t>(touched);
-            const RateMap& body = problem.bodies[b];
-            for (std::size_t j = 0; j < body.indices.size(); ++j) {
-                const Vec6 resisted = stiff_[b] * body.twists[j];
-                for (std::size_t i = 0; i < body.indices.size(); ++i) {
-                    matrix_(body.indices[i], body.indices[j]) += body.twists[i].dot(resisted);
-                }
-                right_[body.indices[j]] += body.twists[j].dot(push_[b]);
-            }
-        }
-        for (std::size_t k = 0; k < problem.rows.size(); ++k) {
-            const ScalarRow& row = problem.rows[k];
-            const bool free = limits_[k] == 0;
-            const double impulse =
-                free ? row.bound / row.compliance : (limits_[k] > 0 ? row.most : row.least);
-            for (std::size_t i = 0; i < row.indices.size(); ++i) {
-                right_[row.indices[i]] += row.factors[i] * impulse;
-                for (std::size_t j = 0; free && j < row.indices.size(); ++j) {
-                    matrix_(row.indices[i], row.indices[j]) +=
-                        row.factors[i] * row.factors[j] / row.compliance;
-                }
-            }
-        }
+        addContacts(problem);
+        addRows(problem);
         lu.factor(matrix_);
-        lu.solve(matrix_, right_);
-        u = right_;
+        lu.solveCarried(matrix_, u);
         double residual = 0.0;
         for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-            ContactRow& contact = problem.contacts[c];
-            contact.velocity = contact.wrenches.transpose() *
-                               twistOf(problem.bodies[static_cast<std::size_t>(contact.body)], u);
-            contact.impulse = laws_[c].first - laws_[c].second * contact.velocity;
-            residual = std::max(residual, naturalResidual(contact, en, et));
+            Asked& asked = asked_[c];
+            asked.velocity = velocityOf(levers_[c], u);
+            asked.impulse = laws_[c].push - laws_[c].stiffness * asked.velocity;
+            residual = std::max(
+                residual, residualOf(problem.contacts[c], asked.impulse, asked.velocity, problem));
         }
-        if (!(residual > problem.tolerance)) {
+        const bool solved = !(residual > problem.tolerance);
+        // The guess does not move as its impulses say: the first step is a whole one.
+        const bool whole = solved || iteration == 0;
+        const double share = whole ? 1.0 : bestShare(problem, way);
+        for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+            ContactRow& contact = problem.contacts[c];
+            contact.impulse = whole ? asked_[c].impulse : impulseAt(c, contact, way, share);
+            contact.velocity += share * (asked_[c].velocity - contact.velocity);
+        }
+        if (solved) {
             return std::isfinite(residual);
         }
     }
@@ -216,50 +378,52 @@ bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Eigen
 
 void ImpulseSolver::reserve(std::size_t contacts, std::size_t rows, std::size_t rates) {
     laws_.reserve(contacts);
+    asked_.reserve(contacts);
+    levers_.reserve(contacts);
+    factors_.reserve(3 * contacts * rates);
+    blocks_.reserve((rates + 1) * (rates + 1));
+    stiffened_.reserve(3 * (rates + 1));
     limits_.reserve(rows);
     firstImpulses_.reserve(contacts);
     // Of gradients(): the largest problems seen have a quarter of this many contacts.
     const std::size_t m = 3 * contacts / 4 + rows;
-    room_.reserve(2 * m * rates + m * m + 5 * m);
+    room_.reserve(2 * m * rates + m * m + 5 * m + rates);
     free_.reserve(m);
 }
 
-bool ImpulseSolver::newtonInStages(ImpulseProblem& problem, const PatternedLu& lu,
-                                   Eigen::VectorXd& u, ImpulseCounters& counters) {
-    const double creep = problem.tangentialCompliance;
+void ImpulseSolver::startAgain(ImpulseProblem& problem, Eigen::VectorXd& u) const {
     u = firstU_;
     for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
         problem.contacts[c].impulse = firstImpulses_[c];
     }
-    bool solved = false;
-    for (const double stage : kStages) {
-        problem.tangentialCompliance = stage * creep;
-        solved = newton(problem, lu, u, counters);
+}
+
+/// Takes the rows' impulses and limits from u. False when a limit was another one.
+bool ImpulseSolver::limitsHold(ImpulseProblem& problem, const Eigen::VectorXd& u) {
+    bool hold = true;
+    for (std::size_t k = 0; k < problem.rows.size(); ++k) {
+        ScalarRow& row = problem.rows[k];
+        const double asked = (row.bound - along(row, u)) / row.compliance;
+        const int limit = asked > row.most ? 1 : (asked < row.least ? -1 : 0);
+        row.impulse = std::clamp(asked, row.least, row.most);
+        hold = hold && limit == limits_[k];
+        limits_[k] = limit;
     }
-    return solved;
+    return hold;
 }
 
 // A stop pushes or not, a motor is at a limit or not: changed only between solves of the contacts,
 // since changing both at once cycles.
 bool ImpulseSolver::withinLimits(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
                                  ImpulseCounters& counters) {
-    bool within = true;
     for (int change = 0; change < kMaxLimitChanges; ++change) {
-        if (!newton(problem, lu, u, counters) && !newtonInStages(problem, lu, u, counters)) {
-            return false;
-        }
-        within = true;
-        for (std::size_t k = 0; k < problem.rows.size(); ++k) {
-            ScalarRow& row = problem.rows[k];
-            const double asked = (row.bound - along(row, u)) / row.compliance;
-            const int limit = asked > row.most ? 1 : (asked < row.least ? -1 : 0);
-            row.impulse = std::clamp(asked, row.least, row.most);
-            if (limit != limits_[k]) {
-                limits_[k] = limit;
-                within = false;
+        if (!newton(problem, lu, Way::Quick, u, counters)) {
+            startAgain(problem, u);
+            if (!newton(problem, lu, Way::Slow, u, counters)) {
+                return false;
             }
         }
-        if (within) {
+        if (limitsHold(problem, u)) {
             return true;
         }
     }
@@ -272,6 +436,7 @@ void ImpulseSolver::solve(ImpulseProblem& problem, const PatternedLu& lu, Eigen:
     for (std::size_t k = 0; k < problem.rows.size(); ++k) {
         limits_[k] = problem.rows[k].start;
     }
+    makeLevers(problem);
     firstU_ = u;
     firstImpulses_.clear();
     for (const ContactRow& contact : problem.contacts) {
@@ -279,26 +444,19 @@ void ImpulseSolver::solve(ImpulseProblem& problem, const PatternedLu& lu, Eigen:
     }
     if (!withinLimits(problem, lu, u, counters)) {
         ++counters.fallbacks;
-        for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-            problem.contacts[c].impulse = firstImpulses_[c];
-        }
-        gradients(problem, lu, u);
+        startAgain(problem, u);
+        gradients(problem, lu, u, counters);
     }
-    const double residual = residualOf(problem);
+    double residual = 0.0;
+    for (const ContactRow& contact : problem.contacts) {
+        residual =
+            std::max(residual, residualOf(contact, contact.impulse, contact.velocity, problem));
+    }
     if (!(residual <= problem.tolerance)) {
         ++counters.failures;
     }
     assert(residual <= kToleratedResidual * problem.tolerance);
     counters.residual = std::max(counters.residual, residual);
-}
-
-double ImpulseSolver::residualOf(const ImpulseProblem& problem) {
-    double residual = 0.0;
-    for (const ContactRow& contact : problem.contacts) {
-        residual = std::max(residual, naturalResidual(contact, problem.normalCompliance,
-                                                      problem.tangentialCompliance));
-    }
-    return residual;
 }
 
 void ImpulseSolver::sweep(ImpulseProblem& problem, double* p) const {
@@ -338,15 +496,17 @@ void ImpulseSolver::sweep(ImpulseProblem& problem, double* p) const {
     }
 }
 
-// In the space of the impulses, with the matrix of what each does to every velocity.
-void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u) {
+// In the space of the impulses, with the matrix of what each does to every velocity. Newton's
+// method is tried again from where they get to: near the solution it is far quicker.
+void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
+                              ImpulseCounters& counters) {
     using Matrix = Eigen::Map<RowMajor>;
     using Vector = Eigen::Map<Eigen::VectorXd>;
     const auto n = problem.momentum.size();
     const auto contactRows = static_cast<Eigen::Index>(3 * problem.contacts.size());
     const auto m = contactRows + static_cast<Eigen::Index>(problem.rows.size());
     size_ = m;
-    room_.assign(static_cast<std::size_t>(2 * m * n + m * m + 5 * m), 0.0);
+    room_.assign(static_cast<std::size_t>(2 * m * n + m * m + 5 * m + n), 0.0);
     double* next = room_.data();
     const auto take = [&next](Eigen::Index size) {
         double* taken = next;
@@ -361,13 +521,15 @@ void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
     Vector gradient(take(m), m);
     Vector direction(take(m), m);
     Vector step(take(m), m);
+    Vector unpushed(take(n), n);  // the rates without any impulse
 
     for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-        const ContactRow& contact = problem.contacts[c];
-        const RateMap& body = problem.bodies[static_cast<std::size_t>(contact.body)];
-        for (std::size_t i = 0; i < body.indices.size(); ++i) {
-            jacobian.block<3, 1>(static_cast<Eigen::Index>(3 * c), body.indices[i]) =
-                contact.wrenches.transpose() * body.twists[i];
+        const Lever& lever = levers_[c];
+        for (std::size_t i = 0; i < lever.body->indices.size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                jacobian(static_cast<Eigen::Index>(3 * c + k), lever.body->indices[i]) =
+                    factors_[lever.first + k * lever.stride + i];
+            }
         }
     }
     for (std::size_t k = 0; k < problem.rows.size(); ++k) {
@@ -376,12 +538,14 @@ void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
             jacobian(contactRows + static_cast<Eigen::Index>(k), row.indices[i]) = row.factors[i];
         }
     }
-    matrix_ = problem.mass;
+    matrix_.resize(n, n + 1);
+    matrix_.leftCols(n) = problem.mass;
+    matrix_.col(n) = problem.momentum;
     lu.factor(matrix_);
-    u = problem.momentum;
-    lu.solve(matrix_, u);  // without any impulse
+    lu.solveCarried(matrix_, right_);
+    unpushed = right_;
     free_.resize(static_cast<std::size_t>(m));
-    Vector(free_.data(), m).noalias() = jacobian * u;
+    Vector(free_.data(), m).noalias() = jacobian * unpushed;
     for (Eigen::Index row = 0; row < m; ++row) {
         right_ = jacobian.row(row).transpose();
         lu.solve(matrix_, right_);
@@ -400,12 +564,33 @@ void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
     if (!p.allFinite()) {
         p.setZero();
     }
+    const auto handOver = [&] {
+        u = unpushed;
+        u.noalias() += answers.transpose() * p;
+        for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+            ContactRow& contact = problem.contacts[c];
+            contact.impulse = p.segment<3>(static_cast<Eigen::Index>(3 * c));
+            contact.velocity = velocityOf(levers_[c], u);
+        }
+        for (std::size_t k = 0; k < problem.rows.size(); ++k) {
+            problem.rows[k].impulse = p[contactRows + static_cast<Eigen::Index>(k)];
+        }
+    };
     before = p;
     sweep(problem, p.data());
     gradient = before - p;
     direction = -gradient;
     constexpr double kSweepTolerance = 0.1;
+    int nextTry = kSweepsBeforeNewton;
     for (int k = 0; k < kMaxSweeps; ++k) {
+        if (k == nextTry) {
+            nextTry *= 2;
+            handOver();
+            limitsHold(problem, u);
+            if (newton(problem, lu, Way::Quick, u, counters) && limitsHold(problem, u)) {
+                return;
+            }
+        }
         before = p;
         sweep(problem, p.data());
         step = before - p;
@@ -422,16 +607,7 @@ void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
         }
         gradient = step;
     }
-    u.noalias() += answers.transpose() * p;
-    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-        ContactRow& contact = problem.contacts[c];
-        contact.impulse = p.segment<3>(static_cast<Eigen::Index>(3 * c));
-        contact.velocity = contact.wrenches.transpose() *
-                           twistOf(problem.bodies[static_cast<std::size_t>(contact.body)], u);
-    }
-    for (std::size_t k = 0; k < problem.rows.size(); ++k) {
-        problem.rows[k].impulse = p[contactRows + static_cast<Eigen::Index>(k)];
-    }
+    handOver();
 }
 
 }  // namespace simcore::dynamics

@@ -23,9 +23,10 @@
 /// that is Coulomb's cone with a little compliance, which makes the forces unique where wheels
 /// share a load. Solved by semi-smooth Newton in u (A. Kurdila; P. Alart and A. Curnier, Comput.
 /// Methods Appl. Mech. Eng. 92, 1991), which starts from the last step's impulses and needs one or
-/// two iterations. Where it cycles it starts again with creepier sticking, which is taken back in
-/// stages; where that cycles, too, nonsmooth nonlinear conjugate gradients (M. Silcowitz, S. Niebe
-/// and K. Erleben, Visual Computer 26, 2010) converge, slowly.
+/// two iterations, each as long as brings it nearest to the laws. Where it cycles all the same,
+/// nonsmooth nonlinear conjugate gradients (M. Silcowitz, S. Niebe and K. Erleben, Visual Computer
+/// 26, 2010) converge, slowly; every now and then Newton's method is tried again from where they
+/// are.
 namespace simcore::dynamics {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -40,14 +41,26 @@ class PatternedLu {
     /// Adds what elimination fills.
     void close();
 
-    /// Factors in place. Elements outside the pattern are not looked at.
+    /// Factors in place. Elements outside the pattern are to be zero. Columns beyond the square are
+    /// right sides, which are taken through the elimination.
     void factor(RowMajor& matrix) const;
     void solve(const RowMajor& factored, Eigen::VectorXd& x) const;
+    /// The solution for the right side in the column after the square.
+    void solveCarried(const RowMajor& factored, Eigen::VectorXd& x) const;
 
   private:
+    /// Columns next to each other.
+    struct Run {
+        int first = 0;
+        int end = 0;
+    };
+
+    void substituteBack(const RowMajor& factored, Eigen::VectorXd& x) const;
+
     int size_ = 0;
     std::vector<std::vector<bool>> pattern_;
     std::vector<std::vector<int>> after_;  ///< of every pivot, the later rows it meets
+    std::vector<std::vector<Run>> runs_;   ///< the same as runs of columns, with small gaps
 };
 
 /// How the velocity of something follows from a few of the independent rates.
@@ -86,19 +99,21 @@ struct ImpulseProblem {
     std::vector<int> touched;  ///< bodies that have contacts; the maps of others are not looked at
     std::vector<ContactRow> contacts;
     std::span<ScalarRow> rows;
+    double contactMass = 1.0;           ///< what a contact moves, roughly [kg]
     double normalCompliance = 0.0;      ///< e_n [1/kg]
     double tangentialCompliance = 0.0;  ///< e_t [1/kg]
     double tolerance = 0.0;             ///< of impulses [N s]
 };
 
-/// r of the natural map, and of the projection that tells touching from open [kg]; within 0.02 to
-/// 0.2 kg it makes no difference.
+/// r of the natural map that accuracy is measured by [kg].
 inline constexpr double kProjectionMass = 0.02;
 
-/// How far a contact is from its law, as the natural map's largest component [N s]. Its velocity
-/// and impulse are looked at.
-double naturalResidual(const ContactRow& contact, double normalCompliance,
-                       double tangentialCompliance);
+/// A contact's law in one of its states: p = push - stiffness v. An open one pushes nothing.
+struct ContactLaw {
+    bool touches = false;
+    Vec3 push = Vec3::Zero();
+    Mat3 stiffness = Mat3::Zero();
+};
 
 struct ImpulseCounters {
     long iterations = 0;  ///< Newton's
@@ -119,22 +134,49 @@ class ImpulseSolver {
                ImpulseCounters& counters);
 
   private:
-    bool newton(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
+    enum class Way { Quick, Slow };
+
+    bool newton(ImpulseProblem& problem, const PatternedLu& lu, Way way, Eigen::VectorXd& u,
                 ImpulseCounters& counters);
-    bool newtonInStages(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
-                        ImpulseCounters& counters);
+    void startAgain(ImpulseProblem& problem, Eigen::VectorXd& u) const;
     bool withinLimits(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
                       ImpulseCounters& counters);
-    static double residualOf(const ImpulseProblem& problem);
-    void gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u);
+    bool limitsHold(ImpulseProblem& problem, const Eigen::VectorXd& u);
+    void gradients(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
+                   ImpulseCounters& counters);
     void sweep(ImpulseProblem& problem, double* impulses) const;
 
-    RowMajor matrix_;
+    /// A contact's three velocities by the independent rates that its body has: rows of `stride`
+    /// numbers, the last ones of them zero.
+    struct Lever {
+        const RateMap* body = nullptr;
+        std::size_t first = 0;  ///< of factors_
+        std::size_t stride = 0;
+    };
+
+    /// What a linear solution asks of a contact.
+    struct Asked {
+        Vec3 impulse;   ///< [N s]
+        Vec3 velocity;  ///< [m/s]
+    };
+
+    void makeLevers(const ImpulseProblem& problem);
+    Vec3 velocityOf(const Lever& lever, const Eigen::VectorXd& u) const;
+    void addContacts(const ImpulseProblem& problem);
+    void addRows(const ImpulseProblem& problem);
+    Vec3 impulseAt(std::size_t index, const ContactRow& contact, Way way, double share) const;
+    double merit(const ImpulseProblem& problem, Way way, double share) const;
+    double bestShare(const ImpulseProblem& problem, Way way) const;
+
+    RowMajor matrix_;  ///< with the right side as its last column
     Eigen::VectorXd right_;
-    std::vector<Eigen::Matrix<double, 6, 6>> stiff_;  ///< per body
-    std::vector<Vec6> push_;
-    std::vector<std::pair<Vec3, Mat3>> laws_;  ///< p0 and C of every contact
-    std::vector<int> limits_;  ///< per scalar row: -1, 0, 1 where it is held at a limit
+    std::vector<Lever> levers_;  ///< of every contact
+    std::vector<double> factors_;
+    std::vector<double> blocks_;     ///< what one body's contacts add to the matrix
+    std::vector<double> stiffened_;  ///< C times a lever
+    std::vector<ContactLaw> laws_;   ///< of every contact
+    std::vector<Asked> asked_;       ///< of every contact
+    std::vector<int> limits_;        ///< per scalar row: -1, 0, 1 where it is held at a limit
     // What solving starts from.
     Eigen::VectorXd firstU_;
     std::vector<Vec3> firstImpulses_;

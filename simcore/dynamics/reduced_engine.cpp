@@ -16,6 +16,8 @@
 namespace simcore::dynamics {
 namespace {
 
+/// Share of a rover's mass that one of its contacts moves along the normal (assumed).
+constexpr double kContactShare = 1.0 / 12.0;
 /// Agreement asked of contact forces [N].
 constexpr double kForceTolerance = 1e-3;
 /// A step is divided when the motion of a loop turns by more than this share in it, as it does next
@@ -94,6 +96,7 @@ class ReducedEngine final : public Engine {
     int choice_ = -1;      ///< that the pattern was made for
     int firstChoice_ = 0;  ///< the drawn pose's
     PatternedLu lu_;
+    double contactMass_;
     ImpulseProblem problem_;
     ImpulseSolver solver_;
     ImpulseCounters impulses_;
@@ -133,6 +136,7 @@ ReducedEngine::ReducedEngine(const mechanism::Mechanism& mechanism, const Engine
       momentum_(tree_),
       elastics_(mechanism_, tree_),
       scalarRows_(mechanism_, tree_),
+      contactMass_(kContactShare * mechanism_.mass()),
       scratch_(mechanism_, tree_),
       scratchLoops_(mechanism_, tree_, settings.joints) {
     if (const Problems problems = whyReducedCannotRun(mechanism, settings.joints);
@@ -283,6 +287,7 @@ void ReducedEngine::makeContacts(const StepInput& input) {
     problem_.normalCompliance = 1.0 / (dt * contactResistance(dt));
     problem_.tangentialCompliance = 1.0 / (dt * kStickingDamping);
     problem_.tolerance = kForceTolerance * dt;
+    problem_.contactMass = contactMass_;
     problem_.contacts.clear();
     problem_.touched.clear();
     rowTouches_.clear();

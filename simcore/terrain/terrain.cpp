@@ -71,6 +71,56 @@ float roundedUp(double value) {
                : nearest;
 }
 
+/// In single precision, below `value` by a slack at least.
+float roundedDown(double value) {
+    constexpr double kSingle = 1e-7;  // twice its rounding, relative
+    return static_cast<float>(value - kSlack - kSingle * std::abs(value));
+}
+
+/// A vertex of the ground as planes beside each other see it.
+struct SeenVertex {
+    int index = 0;
+    double distance = 0.0;                            ///< from the first plane, along v x u [m]
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< along u and v [m]
+};
+
+/// Where the plane at `offset` cuts an edge. From the lower index's side always, so that neighbours
+/// cut their common edge in the very same point.
+Eigen::Vector2d cutEdge(const SeenVertex& a, const SeenVertex& b, double offset) {
+    const SeenVertex& p = a.index < b.index ? a : b;
+    const SeenVertex& q = a.index < b.index ? b : a;
+    const double share =
+        (p.distance - offset) / ((p.distance - offset) - (q.distance - offset));
+    return p.place + share * (q.place - p.place);
+}
+
+/// The piece of a triangle that lies in the plane at `offset`, its free side to the left of a -> b.
+/// False when there is none.
+bool cut(const SeenVertex& first, const SeenVertex& second, const SeenVertex& third, double offset,
+         Eigen::Vector2d& a, Eigen::Vector2d& b) {
+    // On the plane counts as above it: a triangle is cut or not, never twice on an edge.
+    const bool above1 = first.distance >= offset;
+    const bool above2 = second.distance >= offset;
+    const bool above3 = third.distance >= offset;
+    if (above1 == above2 && above2 == above3) {
+        return false;
+    }
+    const auto cutOff = [&](const SeenVertex& alone, const SeenVertex& next,
+                            const SeenVertex& last, bool above) {
+        // Round the triangle, its free side in view, the section begins where the way goes down.
+        (above ? a : b) = cutEdge(alone, next, offset);
+        (above ? b : a) = cutEdge(last, alone, offset);
+    };
+    if (above2 == above3) {
+        cutOff(first, second, third, above1);
+    } else if (above1 == above3) {
+        cutOff(second, third, first, above2);
+    } else {
+        cutOff(third, first, second, above3);
+    }
+    return true;
+}
+
 /// Cells that suit a mesh within the box [m].
 double cellSizeFor(const TriangleMesh& mesh, const Vec3& low, const Vec3& high) {
     double sum = 0.0;
@@ -293,7 +343,39 @@ void Terrain::index() {
             cellSteepest_[cell] = std::max(cellSteepest_[cell], slope);
         });
     }
+    indexQuads();
     indexHeights();
+}
+
+void Terrain::indexQuads() {
+    quads_.assign(cellStart_.size() - 1, {});
+    std::size_t found = 0;
+    for (std::size_t cell = 0; cell < quads_.size(); ++cell) {
+        if (cellStart_[cell + 1] - cellStart_[cell] != 2) {
+            continue;
+        }
+        const int* const triangles = cellTriangles_.data() + cellStart_[cell];
+        const auto& first = mesh_.triangles[static_cast<std::size_t>(triangles[0])];
+        const auto& second = mesh_.triangles[static_cast<std::size_t>(triangles[1])];
+        if (spread_[static_cast<std::size_t>(triangles[0])] != 0 ||
+            spread_[static_cast<std::size_t>(triangles[1])] != 0) {
+            continue;
+        }
+        // Of the edge that they have in common one sees it the other way round.
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (first[i] == second[k] && first[(i + 2) % 3] == second[(k + 1) % 3]) {
+                    quads_[cell] = {{first[i], first[(i + 1) % 3], first[(i + 2) % 3],
+                                     second[(k + 2) % 3]},
+                                    {triangles[0], triangles[1]}};
+                    ++found;
+                }
+            }
+        }
+    }
+    if (found == 0) {
+        quads_ = {};
+    }
 }
 
 void Terrain::indexHeights() {
@@ -430,8 +512,8 @@ double Terrain::heightOn(std::size_t triangle, double x, double y) const {
 }
 
 template <class Visit>
-void Terrain::visitCells(const Vec3& center, const Vec3& axis, double halfLength, double radius,
-                         Visit&& visit) const {
+void Terrain::visitRuns(const Vec3& center, const Vec3& axis, double halfLength, double radius,
+                        Visit&& visit) const {
     const Vec3 reach = radius * (Vec3::Ones() - axis.cwiseProduct(axis)).cwiseMax(0.0).cwiseSqrt() +
                        halfLength * axis.cwiseAbs() + Vec3::Constant(kSlack);
     // Strips of cells across the larger horizontal extent; in each only those cells that the
@@ -444,6 +526,10 @@ void Terrain::visitCells(const Vec3& center, const Vec3& axis, double halfLength
     const double mainSize = alongX ? cellX_ : cellY_;
     const auto mainCell = [&](double value) { return alongX ? column(value) : row(value); };
     const auto otherCell = [&](double value) { return alongX ? row(value) : column(value); };
+    const double slope = strips ? -axis[main] / axis[other] : 0.0;
+    const double lean =
+        strips ? (std::abs(axis.z()) * reach.z() + halfLength) / std::abs(axis[other]) + kSlack
+               : 0.0;
     const int last = mainCell(center[main] + reach[main]);
     for (int i = mainCell(center[main] - reach[main]); i <= last; ++i) {
         double low = -reach[other];
@@ -456,41 +542,17 @@ void Terrain::visitCells(const Vec3& center, const Vec3& axis, double halfLength
             if (a > b) {
                 continue;
             }
-            const double slope = -axis[main] / axis[other];
-            const double lean =
-                (std::abs(axis.z()) * reach.z() + halfLength) / std::abs(axis[other]) + kSlack;
             low = std::max(low, std::min(slope * a, slope * b) - lean);
             high = std::min(high, std::max(slope * a, slope * b) + lean);
         }
-        const int end = otherCell(center[other] + high);
-        for (int k = otherCell(center[other] + low); k <= end; ++k) {
-            alongX ? visit(i, k) : visit(k, i);
+        const int from = otherCell(center[other] + low);
+        const int to = otherCell(center[other] + high);
+        if (alongX) {
+            visit(CellRange{i, i, from, to});
+        } else {
+            visit(CellRange{from, to, i, i});
         }
     }
-}
-
-bool Terrain::cut(std::size_t triangle, const std::array<double, 3>& distance,
-                  std::array<Vec3, 2>& ends) const {
-    // On the plane counts as above it: a triangle is cut or not, never twice on an edge.
-    const std::array<bool, 3> above{distance[0] >= 0.0, distance[1] >= 0.0, distance[2] >= 0.0};
-    if (above[0] == above[1] && above[1] == above[2]) {
-        return false;
-    }
-    const std::array<int, 3>& t = mesh_.triangles[triangle];
-    std::size_t found = 0;
-    for (std::size_t k = 0; k < 3 && found < 2; ++k) {
-        const std::size_t m = (k + 1) % 3;
-        if (above[k] != above[m]) {
-            // From the lower index's side always, so that neighbours cut their common edge in the
-            // very same point.
-            const std::size_t p = t[k] < t[m] ? k : m;
-            const std::size_t q = t[k] < t[m] ? m : k;
-            const double s = distance[p] / (distance[p] - distance[q]);
-            ends[found++] =
-                cornerOf(triangle, p) + s * (cornerOf(triangle, q) - cornerOf(triangle, p));
-        }
-    }
-    return true;
 }
 
 void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, double radius,
@@ -504,72 +566,118 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
     const Vec3 w = plane.v.cross(plane.u);
     const double halfLength = 0.5 * (offsets.back() - offsets.front());
     const Vec3 center = plane.origin + 0.5 * (offsets.back() + offsets.front()) * w;
-    const double cellReach =
-        0.5 * (cellX_ * std::abs(plane.u.x()) + cellY_ * std::abs(plane.u.y())) + kSlack;
-    // Where u is level, no point of the discs is below their rims at its place along u.
-    constexpr double kLevel = 1e-9;
-    const bool level = std::abs(plane.u.z()) < kLevel;
-    const double middle = center.z() - halfLength * std::abs(w.z()) - kSlack;
-    const double steep = plane.v.z() * plane.v.z();
-    const auto staysBelow = [&](int ix, int iy) {
-        const double above = middle - static_cast<double>(cellHighest_[cellAt(ix, iy)]);
-        if (above < 0.0) {
-            return false;
-        }
-        const double x = gridX0_ + (ix + 0.5) * cellX_ - center.x();
-        const double y = gridY0_ + (iy + 0.5) * cellY_ - center.y();
-        const double s = std::max(0.0, std::abs(plane.u.x() * x + plane.u.y() * y) - cellReach);
-        return above * above > steep * (radius * radius - s * s);
-    };
-    std::array<Vec3, 2> ends;
-    const auto inPlane = [&](const Vec3& p) {
-        return Eigen::Vector2d(plane.u.dot(p - plane.origin), plane.v.dot(p - plane.origin));
-    };
-    const auto add = [&](std::size_t triangle, int ix, int iy, std::vector<SliceSegment>& to) {
-        SliceSegment segment{inPlane(ends[0]), inPlane(ends[1]), Vec3::Zero()};
-        const double s = nearestShare(segment.a, segment.b);
-        if ((segment.a + s * (segment.b - segment.a)).squaredNorm() > radius * radius) {
+    const double radius2 = radius * radius;
+
+    const auto add = [&](std::size_t triangle, double offset, const SliceSegment& segment, int ix,
+                         int iy, std::vector<SliceSegment>& to) {
+        const Eigen::Vector2d nearest =
+            segment.a + nearestShare(segment.a, segment.b) * (segment.b - segment.a);
+        if (nearest.squaredNorm() > radius2) {
             return;
         }
         // A triangle that lies in several cells is taken in that of its nearest point, which is one
         // of those searched.
         if (spread_[triangle] != 0) {
             const CellRange cells = cellsOf(mesh_.triangles[triangle]);
-            const Vec3 nearest = ends[0] + s * (ends[1] - ends[0]);
-            if (std::clamp(column(nearest.x()), cells.firstX, cells.lastX) != ix ||
-                std::clamp(row(nearest.y()), cells.firstY, cells.lastY) != iy) {
+            const Vec3 place =
+                plane.origin + offset * w + nearest.x() * plane.u + nearest.y() * plane.v;
+            if (std::clamp(column(place.x()), cells.firstX, cells.lastX) != ix ||
+                std::clamp(row(place.y()), cells.firstY, cells.lastY) != iy) {
                 return;
             }
         }
-        segment.normal = normals_[triangle];
-        // The free side is to the left.
-        const Eigen::Vector2d along = segment.b - segment.a;
-        const double left =
-            -along.y() * segment.normal.dot(plane.u) + along.x() * segment.normal.dot(plane.v);
-        if (left < 0.0) {
-            std::swap(segment.a, segment.b);
-        }
         to.push_back(segment);
+        to.back().normal = normals_[triangle];
     };
-    visitCells(center, w, halfLength, radius, [&](int ix, int iy) {
-        if (level && staysBelow(ix, iy)) {
+    // The vertices' places along u and v, both at a time.
+    const Eigen::Vector2d perX(plane.u.x(), plane.v.x());
+    const Eigen::Vector2d perY(plane.u.y(), plane.v.y());
+    const Eigen::Vector2d perZ(plane.u.z(), plane.v.z());
+    std::array<SeenVertex, 4> seen;
+    const auto see = [&](std::size_t k, int vertex) {
+        const Vec3 arm = mesh_.vertices[static_cast<std::size_t>(vertex)] - plane.origin;
+        seen[k].index = vertex;
+        seen[k].distance = w.dot(arm);
+        seen[k].place = arm.x() * perX + arm.y() * perY + arm.z() * perZ;
+    };
+    const double* const firstOffset = offsets.data();
+    const double* const endOffset = firstOffset + offsets.size();
+    SliceSegment segment;
+    /// Calls slice(offset, out) for the planes between two distances.
+    const auto forPlanes = [&](double low, double high, auto&& sliceAt) {
+        for (const double* offset = firstOffset; offset != endOffset && *offset <= high; ++offset) {
+            if (*offset > low) {
+                sliceAt(*offset, out[static_cast<std::size_t>(offset - firstOffset)]);
+            }
+        }
+    };
+    const auto sliceTriangle = [&](std::size_t triangle, int ix, int iy) {
+        const std::array<int, 3>& corners = mesh_.triangles[triangle];
+        for (std::size_t k = 0; k < 3; ++k) {
+            see(k, corners[k]);
+        }
+        const auto [low, high] = std::minmax({seen[0].distance, seen[1].distance, seen[2].distance});
+        forPlanes(low, high, [&](double offset, std::vector<SliceSegment>& to) {
+            if (cut(seen[0], seen[1], seen[2], offset, segment.a, segment.b)) {
+                add(triangle, offset, segment, ix, iy, to);
+            }
+        });
+    };
+    const auto sliceQuad = [&](const Quad& quad, int ix, int iy) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            see(k, quad.corners[k]);
+        }
+        const double low = std::min(std::min(seen[0].distance, seen[1].distance),
+                                    std::min(seen[2].distance, seen[3].distance));
+        const double high = std::max(std::max(seen[0].distance, seen[1].distance),
+                                     std::max(seen[2].distance, seen[3].distance));
+        forPlanes(low, high, [&](double offset, std::vector<SliceSegment>& to) {
+            if (cut(seen[0], seen[1], seen[2], offset, segment.a, segment.b)) {
+                add(static_cast<std::size_t>(quad.triangles[0]), offset, segment, ix, iy, to);
+            }
+            if (cut(seen[0], seen[2], seen[3], offset, segment.a, segment.b)) {
+                add(static_cast<std::size_t>(quad.triangles[1]), offset, segment, ix, iy, to);
+            }
+        });
+    };
+    const auto sliceCell = [&](std::size_t cell, int ix, int iy) {
+        if (!quads_.empty() && quads_[cell].isQuad()) {
+            sliceQuad(quads_[cell], ix, iy);
             return;
         }
-        const std::size_t cell = cellAt(ix, iy);
         for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
-            const auto triangle =
-                static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]);
-            const std::array<double, 3> across{w.dot(cornerOf(triangle, 0) - plane.origin),
-                                               w.dot(cornerOf(triangle, 1) - plane.origin),
-                                               w.dot(cornerOf(triangle, 2) - plane.origin)};
-            const double low = std::min({across[0], across[1], across[2]});
-            const double high = std::max({across[0], across[1], across[2]});
-            for (std::size_t k = 0; k < offsets.size(); ++k) {
-                if (low < offsets[k] && high >= offsets[k] &&
-                    cut(triangle,
-                        {across[0] - offsets[k], across[1] - offsets[k], across[2] - offsets[k]},
-                        ends)) {
-                    add(triangle, ix, iy, out[k]);
+            sliceTriangle(static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]),
+                          ix, iy);
+        }
+    };
+
+    // Where u is level, no point of the discs is below their rims at its place along u.
+    constexpr double kLevel = 1e-9;
+    const bool level = std::abs(plane.u.z()) < kLevel;
+    const double middle = center.z() - halfLength * std::abs(w.z());
+    // Of a place along u, per half a cell.
+    const double perHalfX = 0.5 * cellX_ * plane.u.x();
+    const double perHalfY = 0.5 * cellY_ * plane.u.y();
+    const double perNothing =
+        plane.u.x() * (gridX0_ - center.x()) + plane.u.y() * (gridY0_ - center.y());
+    visitRuns(center, w, halfLength, radius, [&](const CellRange& run) {
+        float limit = -std::numeric_limits<float>::infinity();
+        if (level) {
+            const double place = perHalfX * (run.firstX + run.lastX + 1) +
+                                 perHalfY * (run.firstY + run.lastY + 1) + perNothing;
+            const double reach = std::abs(perHalfX) * (run.lastX - run.firstX + 1) +
+                                 std::abs(perHalfY) * (run.lastY - run.firstY + 1);
+            const double s = std::max(0.0, std::abs(place) - reach - kSlack);
+            if (s > radius) {
+                return;
+            }
+            limit = roundedDown(middle - std::abs(plane.v.z()) * std::sqrt(radius2 - s * s));
+        }
+        for (int ix = run.firstX; ix <= run.lastX; ++ix) {
+            std::size_t cell = cellAt(ix, run.firstY);
+            for (int iy = run.firstY; iy <= run.lastY; ++iy, ++cell) {
+                if (cellHighest_[cell] >= limit) {
+                    sliceCell(cell, ix, iy);
                 }
             }
         }

@@ -92,6 +92,7 @@ class Terrain {
 
   private:
     void index();
+    void indexQuads();
     void indexHeights();
     float highestIn(std::size_t level, int ix, int iy) const;
 
@@ -105,14 +106,10 @@ class Terrain {
     /// That a triangle is listed in: one when it fills a cell, as a triangle of a grid does.
     CellRange cellsOf(const std::array<int, 3>& triangle) const;
     std::size_t cellAt(int ix, int iy) const;
-    /// Calls visit(ix, iy) for all cells that a cylinder passes over.
+    /// Calls visit(CellRange) for all cells that a cylinder passes over, a row of them at a time.
     template <class Visit>
-    void visitCells(const Vec3& center, const Vec3& axis, double halfLength, double radius,
-                    Visit&& visit) const;
-    /// The piece of a triangle that lies in a plane. False when there is none.
-    /// @param distance  of the triangle's corners from the plane [m]
-    bool cut(std::size_t triangle, const std::array<double, 3>& distance,
-             std::array<Vec3, 2>& ends) const;
+    void visitRuns(const Vec3& center, const Vec3& axis, double halfLength, double radius,
+                   Visit&& visit) const;
     /// Of a triangle's plane at (x, y) [m]; NaN where the triangle is not, or is vertical.
     double heightOn(std::size_t triangle, double x, double y) const;
 
@@ -132,6 +129,15 @@ class Terrain {
     int gridNx_ = 0, gridNy_ = 0;
     std::vector<int> cellStart_;
     std::vector<int> cellTriangles_;
+    /// Two triangles that fill a cell, as those of a height field do: of corners 0, 1, 2 and 0, 2, 3.
+    struct Quad {
+        std::array<int, 4> corners{-1, -1, -1, -1};
+        std::array<int, 2> triangles{-1, -1};
+
+        bool isQuad() const { return corners[0] >= 0; }
+    };
+
+    std::vector<Quad> quads_;  ///< of every cell; empty where the ground has none
     std::vector<float> cellSteepest_;  ///< steepest slope of the triangles in each cell [rad]
     float steepest_ = 0.0F;
     std::vector<float> cellHighest_;  ///< no ground in the cell is above it [m], world
