@@ -336,7 +336,7 @@ double BodyContactFinder::gapBelow(const Bounds& bounds, const Placed& placed, d
 /// How far any point of a body may move from where it is without touching, by boxes that get
 /// smaller; <= 0 where none is known [m].
 double BodyContactFinder::clearanceOf(const Placed& placed) const {
-    constexpr double kRound = 0.03;      // [m], assumed: a step moves a body by 0.2 mm
+    constexpr double kRound = 0.03;       // [m], assumed: a step moves a body by 0.2 mm
     constexpr double kRoundPoint = 0.01;  // [m], assumed
     double least = std::min(gapBelow(placed.part.bounds, placed, kRound), kRound);
     if (least >= kRoundPoint) {

@@ -140,19 +140,27 @@ void PatternedLu::close() {
 }
 
 void PatternedLu::factor(RowMajor& matrix) const {
-    const auto carried = static_cast<std::size_t>(matrix.cols() - size_);
-    for (int k = 0; k < size_; ++k) {
-        const double* pivotRow = matrix.row(k).data();
+    const auto columns = static_cast<std::size_t>(matrix.cols());
+    const auto size = static_cast<std::size_t>(size_);
+    for (std::size_t k = 0; k < size; ++k) {
+        const double* pivotRow = matrix.data() + k * columns;
         const double inverse = 1.0 / pivotRow[k];
-        for (const int i : after_[static_cast<std::size_t>(k)]) {
-            double* row = matrix.row(i).data();
+        const std::vector<Run>& runs = runs_[k];
+        // The right sides go with the run that ends beside them.
+        const bool apart = runs.empty() || runs.back().end != size_;
+        for (const int i : after_[k]) {
+            double* row = matrix.data() + static_cast<std::size_t>(i) * columns;
             const double factor = -row[k] * inverse;
             row[k] = -factor;
-            for (const Run& run : runs_[static_cast<std::size_t>(k)]) {
-                addScaled(factor, pivotRow + run.first,
-                          static_cast<std::size_t>(run.end - run.first), row + run.first);
+            for (const Run& run : runs) {
+                const auto first = static_cast<std::size_t>(run.first);
+                const std::size_t end =
+                    run.end == size_ ? columns : static_cast<std::size_t>(run.end);
+                addScaled(factor, pivotRow + first, end - first, row + first);
             }
-            addScaled(factor, pivotRow + size_, carried, row + size_);
+            if (apart) {
+                addScaled(factor, pivotRow + size, columns - size, row + size);
+            }
         }
     }
 }
@@ -213,13 +221,22 @@ void ImpulseSolver::makeLevers(const ImpulseProblem& problem) {
 }
 
 Vec3 ImpulseSolver::velocityOf(const Lever& lever, const Eigen::VectorXd& u) const {
-    const double* rows = factors_.data() + lever.first;
-    Vec3 velocity = Vec3::Zero();
-    for (std::size_t i = 0; i < lever.body->indices.size(); ++i) {
-        const double rate = u[lever.body->indices[i]];
-        velocity += rate * Vec3(rows[i], rows[lever.stride + i], rows[2 * lever.stride + i]);
+    const double* const normal = factors_.data() + lever.first;
+    const double* const forward = normal + lever.stride;
+    const double* const side = forward + lever.stride;
+    const double* const rates = u.data();
+    const int* const indices = lever.body->indices.data();
+    const std::size_t count = lever.body->indices.size();
+    double v0 = 0.0;
+    double v1 = 0.0;
+    double v2 = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double rate = rates[indices[i]];
+        v0 += rate * normal[i];
+        v1 += rate * forward[i];
+        v2 += rate * side[i];
     }
-    return velocity;
+    return {v0, v1, v2};
 }
 
 /// Adds what the contacts' laws say to the matrix and its right side, body by body.

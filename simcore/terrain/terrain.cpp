@@ -89,8 +89,7 @@ struct SeenVertex {
 Eigen::Vector2d cutEdge(const SeenVertex& a, const SeenVertex& b, double offset) {
     const SeenVertex& p = a.index < b.index ? a : b;
     const SeenVertex& q = a.index < b.index ? b : a;
-    const double share =
-        (p.distance - offset) / ((p.distance - offset) - (q.distance - offset));
+    const double share = (p.distance - offset) / ((p.distance - offset) - (q.distance - offset));
     return p.place + share * (q.place - p.place);
 }
 
@@ -105,8 +104,8 @@ bool cut(const SeenVertex& first, const SeenVertex& second, const SeenVertex& th
     if (above1 == above2 && above2 == above3) {
         return false;
     }
-    const auto cutOff = [&](const SeenVertex& alone, const SeenVertex& next,
-                            const SeenVertex& last, bool above) {
+    const auto cutOff = [&](const SeenVertex& alone, const SeenVertex& next, const SeenVertex& last,
+                            bool above) {
         // Round the triangle, its free side in view, the section begins where the way goes down.
         (above ? a : b) = cutEdge(alone, next, offset);
         (above ? b : a) = cutEdge(last, alone, offset);
@@ -119,6 +118,15 @@ bool cut(const SeenVertex& first, const SeenVertex& second, const SeenVertex& th
         cutOff(third, first, second, above3);
     }
     return true;
+}
+
+/// Whether no piece that a plane cuts from these vertices' hull is within `radius` [m]: the line
+/// across the way to their middle has them all behind it.
+bool areBeyond(const std::array<SeenVertex, 4>& seen, double radius) {
+    const Eigen::Vector2d sum = (seen[0].place + seen[1].place) + (seen[2].place + seen[3].place);
+    const double least = std::min(std::min(seen[0].place.dot(sum), seen[1].place.dot(sum)),
+                                  std::min(seen[2].place.dot(sum), seen[3].place.dot(sum)));
+    return least > 0.0 && least * least > radius * radius * sum.squaredNorm();
 }
 
 /// Cells that suit a mesh within the box [m].
@@ -365,9 +373,9 @@ void Terrain::indexQuads() {
         for (std::size_t i = 0; i < 3; ++i) {
             for (std::size_t k = 0; k < 3; ++k) {
                 if (first[i] == second[k] && first[(i + 2) % 3] == second[(k + 1) % 3]) {
-                    quads_[cell] = {{first[i], first[(i + 1) % 3], first[(i + 2) % 3],
-                                     second[(k + 2) % 3]},
-                                    {triangles[0], triangles[1]}};
+                    quads_[cell] = {
+                        {first[i], first[(i + 1) % 3], first[(i + 2) % 3], second[(k + 2) % 3]},
+                        {triangles[0], triangles[1]}};
                     ++found;
                 }
             }
@@ -466,6 +474,27 @@ double Terrain::highest(const Vec3& low, const Vec3& high) const {
     return static_cast<double>(best);
 }
 
+double Terrain::coarselyHighest(const Vec3& low, const Vec3& high, int fineness) const {
+    int firstX = column(low.x());
+    int firstY = row(low.y());
+    int lastX = column(high.x());
+    int lastY = row(high.y());
+    const auto span = static_cast<unsigned>(std::max(lastX - firstX, lastY - firstY));
+    const int level = std::clamp(static_cast<int>(std::bit_width(span)) - fineness, 0,
+                                 static_cast<int>(coarse_.size()));
+    firstX >>= level;
+    firstY >>= level;
+    lastX >>= level;
+    lastY >>= level;
+    float best = -std::numeric_limits<float>::infinity();
+    for (int ix = firstX; ix <= lastX; ++ix) {
+        for (int iy = firstY; iy <= lastY; ++iy) {
+            best = std::max(best, highestIn(static_cast<std::size_t>(level), ix, iy));
+        }
+    }
+    return static_cast<double>(best);
+}
+
 double Terrain::heightAt(double x, double y) const {
     double height = std::numeric_limits<double>::quiet_NaN();
     const double cellX = (x - gridX0_) / cellX_;
@@ -512,10 +541,8 @@ double Terrain::heightOn(std::size_t triangle, double x, double y) const {
 }
 
 template <class Visit>
-void Terrain::visitRuns(const Vec3& center, const Vec3& axis, double halfLength, double radius,
+void Terrain::visitRuns(const Vec3& center, const Vec3& axis, double halfLength, const Vec3& reach,
                         Visit&& visit) const {
-    const Vec3 reach = radius * (Vec3::Ones() - axis.cwiseProduct(axis)).cwiseMax(0.0).cwiseSqrt() +
-                       halfLength * axis.cwiseAbs() + Vec3::Constant(kSlack);
     // Strips of cells across the larger horizontal extent; in each only those cells that the
     // cylinder passes over.
     const bool strips = std::max(std::abs(axis.x()), std::abs(axis.y())) > 0.1;
@@ -594,30 +621,46 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
     const Eigen::Vector2d perY(plane.u.y(), plane.v.y());
     const Eigen::Vector2d perZ(plane.u.z(), plane.v.z());
     std::array<SeenVertex, 4> seen;
-    const auto see = [&](std::size_t k, int vertex) {
-        const Vec3 arm = mesh_.vertices[static_cast<std::size_t>(vertex)] - plane.origin;
+    std::array<Vec3, 4> arms;
+    const auto approach = [&](std::size_t k, int vertex) {
+        arms[k] = mesh_.vertices[static_cast<std::size_t>(vertex)] - plane.origin;
         seen[k].index = vertex;
-        seen[k].distance = w.dot(arm);
-        seen[k].place = arm.x() * perX + arm.y() * perY + arm.z() * perZ;
+        seen[k].distance = w.dot(arms[k]);
+    };
+    const auto see = [&](std::size_t k) {
+        seen[k].place = arms[k].x() * perX + arms[k].y() * perY + arms[k].z() * perZ;
     };
     const double* const firstOffset = offsets.data();
     const double* const endOffset = firstOffset + offsets.size();
     SliceSegment segment;
-    /// Calls slice(offset, out) for the planes between two distances.
-    const auto forPlanes = [&](double low, double high, auto&& sliceAt) {
-        for (const double* offset = firstOffset; offset != endOffset && *offset <= high; ++offset) {
-            if (*offset > low) {
-                sliceAt(*offset, out[static_cast<std::size_t>(offset - firstOffset)]);
-            }
+    /// Calls sliceAt(offset, out) for the planes between two distances, after look() when there
+    /// are.
+    const auto forPlanes = [&](double low, double high, auto&& look, auto&& sliceAt) {
+        const double* offset = firstOffset;
+        while (offset != endOffset && *offset <= low) {
+            ++offset;
+        }
+        if (offset == endOffset || *offset > high || !look()) {
+            return;
+        }
+        for (; offset != endOffset && *offset <= high; ++offset) {
+            sliceAt(*offset, out[static_cast<std::size_t>(offset - firstOffset)]);
         }
     };
     const auto sliceTriangle = [&](std::size_t triangle, int ix, int iy) {
         const std::array<int, 3>& corners = mesh_.triangles[triangle];
         for (std::size_t k = 0; k < 3; ++k) {
-            see(k, corners[k]);
+            approach(k, corners[k]);
         }
-        const auto [low, high] = std::minmax({seen[0].distance, seen[1].distance, seen[2].distance});
-        forPlanes(low, high, [&](double offset, std::vector<SliceSegment>& to) {
+        const auto [low, high] =
+            std::minmax({seen[0].distance, seen[1].distance, seen[2].distance});
+        const auto look = [&] {
+            for (std::size_t k = 0; k < 3; ++k) {
+                see(k);
+            }
+            return true;
+        };
+        forPlanes(low, high, look, [&](double offset, std::vector<SliceSegment>& to) {
             if (cut(seen[0], seen[1], seen[2], offset, segment.a, segment.b)) {
                 add(triangle, offset, segment, ix, iy, to);
             }
@@ -625,13 +668,19 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
     };
     const auto sliceQuad = [&](const Quad& quad, int ix, int iy) {
         for (std::size_t k = 0; k < 4; ++k) {
-            see(k, quad.corners[k]);
+            approach(k, quad.corners[k]);
         }
         const double low = std::min(std::min(seen[0].distance, seen[1].distance),
                                     std::min(seen[2].distance, seen[3].distance));
         const double high = std::max(std::max(seen[0].distance, seen[1].distance),
                                      std::max(seen[2].distance, seen[3].distance));
-        forPlanes(low, high, [&](double offset, std::vector<SliceSegment>& to) {
+        const auto look = [&] {
+            for (std::size_t k = 0; k < 4; ++k) {
+                see(k);
+            }
+            return !areBeyond(seen, radius + kSlack);
+        };
+        forPlanes(low, high, look, [&](double offset, std::vector<SliceSegment>& to) {
             if (cut(seen[0], seen[1], seen[2], offset, segment.a, segment.b)) {
                 add(static_cast<std::size_t>(quad.triangles[0]), offset, segment, ix, iy, to);
             }
@@ -646,37 +695,74 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
             return;
         }
         for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
-            sliceTriangle(static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]),
-                          ix, iy);
+            sliceTriangle(static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]), ix,
+                          iy);
         }
     };
 
-    // Where u is level, no point of the discs is below their rims at its place along u.
+    // Where u is level, no point of the discs is below their rims at its place along u. Nor, unless
+    // the axle is steep, below the cylinder that the rims lie on, which rises along the axle.
     constexpr double kLevel = 1e-9;
+    constexpr double kSteep = 0.1;
+    constexpr double kNowhere = -std::numeric_limits<double>::infinity();
     const bool level = std::abs(plane.u.z()) < kLevel;
+    const double upright = std::abs(plane.v.z());
+    const bool rises = level && upright > kSteep;
     const double middle = center.z() - halfLength * std::abs(w.z());
-    // Of a place along u, per half a cell.
-    const double perHalfX = 0.5 * cellX_ * plane.u.x();
-    const double perHalfY = 0.5 * cellY_ * plane.u.y();
-    const double perNothing =
-        plane.u.x() * (gridX0_ - center.x()) + plane.u.y() * (gridY0_ - center.y());
-    visitRuns(center, w, halfLength, radius, [&](const CellRange& run) {
+    const Eigen::Vector2d half(0.5 * cellX_, 0.5 * cellY_);
+    const Eigen::Vector2d forward = plane.u.head<2>();
+    // The rise per way across u, as a slope in x and y.
+    const Eigen::Vector2d slope = rises
+                                      ? Eigen::Vector2d(w.head<2>() * (w.z() / (upright * upright)))
+                                      : Eigen::Vector2d(Eigen::Vector2d::Zero());
+    const double slopeReach = half.dot(slope.cwiseAbs()) + kSlack;
+    const Eigen::Vector2d corner(gridX0_ - center.x(), gridY0_ - center.y());
+    // Only as far ahead and back as some part of the discs is no higher than the ground's top
+    // there.
+    const Vec3 along = halfLength * w.cwiseAbs() + Vec3::Constant(kSlack);
+    const Vec3 all = radius * (plane.u.cwiseAbs2() + plane.v.cwiseAbs2()).cwiseSqrt() + along;
+    Vec3 reach = all;
+    for (const int fineness : {2, 3}) {
+        if (!rises) {
+            break;
+        }
+        const double top = coarselyHighest(center - reach, center + reach, fineness);
+        const double above = (middle - kSlack - top) / upright;
+        if (above > radius) {
+            return;
+        }
+        const double deepest = std::max(0.0, above);
+        const double ahead = std::sqrt(radius2 - deepest * deepest) + kSlack;
+        reach = all.cwiseMin(ahead * plane.u.cwiseAbs() + radius * plane.v.cwiseAbs() + along);
+    }
+    visitRuns(center, w, halfLength, reach, [&](const CellRange& run) {
         float limit = -std::numeric_limits<float>::infinity();
+        double cylinder = kNowhere;
         if (level) {
-            const double place = perHalfX * (run.firstX + run.lastX + 1) +
-                                 perHalfY * (run.firstY + run.lastY + 1) + perNothing;
-            const double reach = std::abs(perHalfX) * (run.lastX - run.firstX + 1) +
-                                 std::abs(perHalfY) * (run.lastY - run.firstY + 1);
-            const double s = std::max(0.0, std::abs(place) - reach - kSlack);
+            // Of the cells' middle.
+            const Eigen::Vector2d place =
+                corner + half.cwiseProduct(Eigen::Vector2d(run.firstX + run.lastX + 1,
+                                                           run.firstY + run.lastY + 1));
+            const Eigen::Vector2d span = half.cwiseProduct(
+                Eigen::Vector2d(run.lastX - run.firstX + 1, run.lastY - run.firstY + 1));
+            const double s =
+                std::max(0.0, std::abs(forward.dot(place)) - span.dot(forward.cwiseAbs()) - kSlack);
             if (s > radius) {
                 return;
             }
-            limit = roundedDown(middle - std::abs(plane.v.z()) * std::sqrt(radius2 - s * s));
+            const double deep = std::sqrt(radius2 - s * s);
+            limit = roundedDown(middle - upright * deep);
+            if (rises) {
+                // At the middle of cell 0, 0.
+                cylinder = center.z() - deep / upright + slope.dot(corner + half) - slopeReach;
+            }
         }
         for (int ix = run.firstX; ix <= run.lastX; ++ix) {
             std::size_t cell = cellAt(ix, run.firstY);
+            const double start = cylinder + ix * cellX_ * slope.x();
             for (int iy = run.firstY; iy <= run.lastY; ++iy, ++cell) {
-                if (cellHighest_[cell] >= limit) {
+                if (cellHighest_[cell] >= limit &&
+                    static_cast<double>(cellHighest_[cell]) >= start + iy * cellY_ * slope.y()) {
                     sliceCell(cell, ix, iy);
                 }
             }

@@ -95,6 +95,8 @@ class Terrain {
     void indexQuads();
     void indexHeights();
     float highestIn(std::size_t level, int ix, int iy) const;
+    /// highest(), looser and quicker: of at most 2^fineness + 1 coarse cells each way.
+    double coarselyHighest(const Vec3& low, const Vec3& high, int fineness) const;
 
     /// Cells of the look-up grid, from first to last.
     struct CellRange {
@@ -107,8 +109,9 @@ class Terrain {
     CellRange cellsOf(const std::array<int, 3>& triangle) const;
     std::size_t cellAt(int ix, int iy) const;
     /// Calls visit(CellRange) for all cells that a cylinder passes over, a row of them at a time.
+    /// @param reach  from the centre, of the part that is looked at [m]
     template <class Visit>
-    void visitRuns(const Vec3& center, const Vec3& axis, double halfLength, double radius,
+    void visitRuns(const Vec3& center, const Vec3& axis, double halfLength, const Vec3& reach,
                    Visit&& visit) const;
     /// Of a triangle's plane at (x, y) [m]; NaN where the triangle is not, or is vertical.
     double heightOn(std::size_t triangle, double x, double y) const;
@@ -129,7 +132,9 @@ class Terrain {
     int gridNx_ = 0, gridNy_ = 0;
     std::vector<int> cellStart_;
     std::vector<int> cellTriangles_;
-    /// Two triangles that fill a cell, as those of a height field do: of corners 0, 1, 2 and 0, 2, 3.
+
+    /// Two triangles that fill a cell, as those of a height field do: of corners 0, 1, 2 and 0,
+    /// 2, 3.
     struct Quad {
         std::array<int, 4> corners{-1, -1, -1, -1};
         std::array<int, 2> triangles{-1, -1};
@@ -137,7 +142,7 @@ class Terrain {
         bool isQuad() const { return corners[0] >= 0; }
     };
 
-    std::vector<Quad> quads_;  ///< of every cell; empty where the ground has none
+    std::vector<Quad> quads_;          ///< of every cell; empty where the ground has none
     std::vector<float> cellSteepest_;  ///< steepest slope of the triangles in each cell [rad]
     float steepest_ = 0.0F;
     std::vector<float> cellHighest_;  ///< no ground in the cell is above it [m], world
