@@ -201,7 +201,7 @@ TEST_F(RunningTest, WhatTheBarAsksForReachesTheRun) {
     QTest::keyClicks(friction, "0.45");
     QTest::keyClick(friction, Qt::Key_Return);
     ASSERT_TRUE(driveFor(0.1));
-    EXPECT_EQ(session().settings().controller, simcore::project::ControllerKind::EqualTorque);
+    EXPECT_EQ(session().settings().controller, simcore::project::ControllerKind::Synchronised);
     EXPECT_EQ(session().settings().engine, simcore::project::EngineKind::Reduced);
     EXPECT_EQ(session().report().engine, "reduced");
     EXPECT_DOUBLE_EQ(session().settings().friction, 0.45);
