@@ -15,7 +15,7 @@ constexpr double kLifted = 0.03;
 
 RoverEstimate::RoverEstimate(const mechanism::Mechanism& mechanism, double period)
     : model_(mechanism, mechanism::Model::Built),
-      drawn_(model_.drawnState()),
+      drawn_(model_.reset()),
       smoothing_(period / (kSmoothing + period)) {
     const std::vector<int> encoders = mechanism.encoderJoints();
     for (const dynamics::TreeBody& at : model_.tree().bodies()) {

@@ -1,6 +1,7 @@
 #include "simcore/statics/static_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include <Eigen/QR>
@@ -31,9 +32,14 @@ StaticModel::StaticModel(const mechanism::Mechanism& mechanism, Model joints)
     if (const Problems problems = dynamics::whyNoEngineCanRun(mechanism); !problems.empty()) {
         throw std::invalid_argument(toString(problems));
     }
-    dynamics::TreeState state = drawnState();
+    reset();
+}
+
+dynamics::TreeState StaticModel::reset() {
+    dynamics::TreeState state = tree_.drawnState();
     loops_.reset(state, motion_);
     renewMotions();
+    return state;
 }
 
 bool StaticModel::place(dynamics::TreeState& state) {
@@ -73,6 +79,29 @@ std::vector<double> StaticModel::change(int motion, double amount) const {
     return change;
 }
 
+void StaticModel::move(dynamics::TreeState& state, const Eigen::VectorXd& amounts) const {
+    std::vector<double> change(static_cast<std::size_t>(tree_.rateCount()), 0.0);
+    for (std::size_t rate = 0; rate < change.size(); ++rate) {
+        for (const RateTerm& term : loops_.terms(static_cast<int>(rate))) {
+            change[rate] += term.factor * amounts[term.index];
+        }
+    }
+    dynamics::advance(tree_, state, change);
+}
+
+Eigen::MatrixXd StaticModel::inertia() {
+    motion_.weigh();
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(motions(), motions());
+    Eigen::Matrix<double, 6, Eigen::Dynamic> momenta(6, motions());
+    for (std::size_t k = 0; k < twists_.size(); ++k) {
+        for (Eigen::Index i = 0; i < twists_[k].cols(); ++i) {
+            momenta.col(i) = motion_.inertia(k) * dynamics::Vec6(twists_[k].col(i));
+        }
+        sum.noalias() += twists_[k].transpose() * momenta;
+    }
+    return sum;
+}
+
 Eigen::RowVectorXd StaticModel::workOf(int body, const Vec3& force, const Vec3& point) const {
     const int at = tree_.positionOf(body);
     if (at < 0) {
@@ -91,12 +120,37 @@ Eigen::RowVectorXd StaticModel::workOfMoment(int body, const Vec3& moment) const
            twists_[static_cast<std::size_t>(at)];
 }
 
+Eigen::RowVectorXd StaticModel::workAboutJoint(const mechanism::Joint& joint) const {
+    const Vec3 axis = poses()[static_cast<std::size_t>(joint.first)].rotation * joint.axis;
+    return workOfMoment(joint.second, axis) - workOfMoment(joint.first, axis);
+}
+
 Eigen::RowVectorXd StaticModel::torqueWork(const Wheel& wheel) const {
     const Vec3 axis = poses()[static_cast<std::size_t>(wheel.body)].rotation * wheel.axis;
     return workOfMoment(wheel.body, axis) - workOfMoment(wheel.carrier, axis);
 }
 
-/// Work of weight and springs per unit of each motion.
+double StaticModel::potential(double gravity) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
+        const mechanism::Body& body = mechanism_.bodies[i];
+        sum += body.mass * gravity * (poses()[i] * body.com).z();
+    }
+    for (const mechanism::Spring& spring : mechanism_.springs) {
+        double stretch = 0.0;  // in the sense in which the preload pushes
+        if (spring.joint >= 0) {
+            stretch = mechanism::jointAngle(
+                mechanism_.joints[static_cast<std::size_t>(spring.joint)], poses());
+        } else {
+            const Vec3 a = poses()[static_cast<std::size_t>(spring.first)] * spring.firstPoint;
+            const Vec3 b = poses()[static_cast<std::size_t>(spring.second)] * spring.secondPoint;
+            stretch = (b - a).norm() - (spring.secondPoint - spring.firstPoint).norm();
+        }
+        sum += stretch * (0.5 * spring.stiffness * stretch - spring.preload);
+    }
+    return sum;
+}
+
 Eigen::VectorXd StaticModel::loads(double gravity) const {
     Eigen::RowVectorXd work = Eigen::RowVectorXd::Zero(motions());
     for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
@@ -108,11 +162,9 @@ Eigen::VectorXd StaticModel::loads(double gravity) const {
         if (spring.joint >= 0) {
             const mechanism::Joint& joint =
                 mechanism_.joints[static_cast<std::size_t>(spring.joint)];
-            const Vec3 axis = poses()[static_cast<std::size_t>(joint.first)].rotation * joint.axis;
             const double torque =
                 spring.preload - spring.stiffness * mechanism::jointAngle(joint, poses());
-            work += workOfMoment(joint.second, torque * axis);
-            work -= workOfMoment(joint.first, torque * axis);
+            work += torque * workAboutJoint(joint);
             continue;
         }
         const Vec3 a = poses()[static_cast<std::size_t>(spring.first)] * spring.firstPoint;
@@ -168,28 +220,43 @@ Equilibrium StaticModel::equilibrium(std::span<const Contact> contacts, ContactS
     return result;
 }
 
-Eigen::VectorXd StaticModel::rollingRates(std::span<const Contact> contacts, double speed,
-                                          double turn) {
-    const auto& wheels = mechanism_.wheels;
+Eigen::MatrixXd StaticModel::rollingRows(std::span<const Contact> contacts) const {
     const Pose& chassis = poses()[static_cast<std::size_t>(mechanism_.chassis)];
     const Vec3 forward = chassis.rotation * Vec3::UnitX();
     const Vec3 left = Vec3::UnitZ().cross(forward).normalized();
-    // What is asked of the chassis, then that contacts neither slip forwards nor leave the ground.
-    const auto rows = static_cast<Eigen::Index>(3 + 2 * contacts.size());
-    Eigen::MatrixXd matrix(rows, motions());
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(rows);
+    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(3 + 2 * contacts.size()), motions());
     matrix.row(0) = workOf(mechanism_.chassis, forward, chassis.position);
     matrix.row(1) = workOf(mechanism_.chassis, left, chassis.position);
     matrix.row(2) = workOfMoment(mechanism_.chassis, Vec3::UnitZ());
-    right[0] = speed;
-    right[2] = turn;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const Contact& contact = contacts[i];
-        const int body = wheels[static_cast<std::size_t>(contact.wheel)].body;
+        const int body = mechanism_.wheels[static_cast<std::size_t>(contact.wheel)].body;
         const auto row = static_cast<Eigen::Index>(3 + 2 * i);
         matrix.row(row) = workOf(body, contact.normal, contact.point);
         matrix.row(row + 1) = workOf(body, contact.forward, contact.point);
     }
+    return matrix;
+}
+
+double StaticModel::rollingConflict(std::span<const Contact> contacts) {
+    if (contacts.empty()) {
+        return 0.0;
+    }
+    const Eigen::MatrixXd matrix = rollingRows(contacts);
+    const Eigen::VectorXd right = Eigen::VectorXd::Unit(matrix.rows(), 0);
+    const Eigen::VectorXd motion = matrix.completeOrthogonalDecomposition().solve(right);
+    const Eigen::VectorXd slips = (matrix * motion - right).tail(matrix.rows() - 3);
+    const double forward = std::abs(matrix.row(0).dot(motion));
+    return slips.norm() / std::sqrt(static_cast<double>(contacts.size())) / std::max(1e-3, forward);
+}
+
+Eigen::VectorXd StaticModel::rollingRates(std::span<const Contact> contacts, double speed,
+                                          double turn) {
+    const auto& wheels = mechanism_.wheels;
+    const Eigen::MatrixXd matrix = rollingRows(contacts);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix.rows());
+    right[0] = speed;
+    right[2] = turn;
     const Eigen::VectorXd motion = matrix.completeOrthogonalDecomposition().solve(right);
     Eigen::VectorXd rates(static_cast<Eigen::Index>(wheels.size()));
     for (std::size_t w = 0; w < wheels.size(); ++w) {

@@ -62,7 +62,8 @@ class StaticModel {
 
     const dynamics::SpanningTree& tree() const { return tree_; }
 
-    dynamics::TreeState drawnState() const { return tree_.drawnState(); }
+    /// Back to the drawn pose, which becomes the one placed last.
+    dynamics::TreeState reset();
 
     /// Takes up a pose and closes its loops, which changes dependent coordinates of `state`. False
     /// when some loop stays open.
@@ -77,6 +78,26 @@ class StaticModel {
     /// Change of the tree's coordinates by `amount` of one of the motions, at the pose placed last.
     std::vector<double> change(int motion, double amount) const;
 
+    /// Moves a state on by an amount of each motion, as they are at the pose placed last.
+    void move(dynamics::TreeState& state, const Eigen::VectorXd& amounts) const;
+
+    /// Work of a force at a place (world) of a body per unit of each motion.
+    Eigen::RowVectorXd workOf(int body, const Vec3& force, const Vec3& point) const;
+    Eigen::RowVectorXd workOfMoment(int body, const Vec3& moment) const;
+    /// Of a moment about a joint's axis (a pin's) on its second body, and its reaction on the first.
+    Eigen::RowVectorXd workAboutJoint(const mechanism::Joint& joint) const;
+
+    /// Work of weight and springs per unit of each motion.
+    /// @param gravity  [m/s^2], along -z
+    Eigen::VectorXd loads(double gravity) const;
+
+    /// Of weight and springs at the pose placed last, 0 at the world's origin and where springs are as
+    /// drawn [J].
+    double potential(double gravity) const;
+
+    /// Inertia of the motions, a metric that makes turns and slides comparable [kg m^2, kg].
+    Eigen::MatrixXd inertia();
+
     /// Of the pose placed last.
     /// @param gravity  [m/s^2], along -z
     Equilibrium equilibrium(std::span<const Contact> contacts, ContactSet set, double gravity);
@@ -89,12 +110,15 @@ class StaticModel {
     /// @param turn   of the chassis about the vertical [rad/s]
     Eigen::VectorXd rollingRates(std::span<const Contact> contacts, double speed, double turn);
 
+    /// By how much contacts have to slip when the chassis moves forward without turning, per way of
+    /// it: root mean square of the least slips [-].
+    double rollingConflict(std::span<const Contact> contacts);
+
   private:
+    /// What is asked of the motions for rolling: of the chassis (three rows), then that contacts
+    /// neither slip forwards nor leave the ground.
+    Eigen::MatrixXd rollingRows(std::span<const Contact> contacts) const;
     void renewMotions();
-    /// Work of a force at a place of a body per unit of each independent motion.
-    Eigen::RowVectorXd workOf(int body, const Vec3& force, const Vec3& point) const;
-    Eigen::RowVectorXd workOfMoment(int body, const Vec3& moment) const;
-    Eigen::VectorXd loads(double gravity) const;
     Eigen::RowVectorXd torqueWork(const mechanism::Wheel& wheel) const;
 
     const mechanism::Mechanism mechanism_;

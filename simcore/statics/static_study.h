@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "simcore/base/result.h"
+#include "simcore/statics/pose_solver.h"
 #include "simcore/statics/traction.h"
 
 namespace simcore::statics {
@@ -23,10 +25,12 @@ struct StudyRequest {
 
 struct WheelStudy {
     std::string name;
+    bool touches = true;
     double contactAngle = 0.0;                           ///< [rad]
     double normal = 0.0, traction = 0.0, lateral = 0.0;  ///< of the best torques [N]
     double torque = 0.0;                                 ///< [N m]
     double ratio = 0.0;                                  ///< tangential over normal [-]
+    double equalNormal = 0.0, equalRatio = 0.0;          ///< of equal torques [N], [-]
 };
 
 /// What a rover needs to begin to move where it stands.
@@ -42,11 +46,27 @@ struct Study {
     double equalMaxRatio = 0.0;         ///< [-]
     double frictionRequired = 0.0;      ///< mu* [-]
     double minimumTorque = 0.0;         ///< largest torque of the best for Objective::Torque
-    std::vector<WheelStudy> wheels;
+    double tipOver = 0.0;               ///< least angle to tip over a side of the footholds [rad]
+    double rollingConflict = 0.0;       ///< slip that the joints force, per way of the chassis [-]
+    std::vector<WheelStudy> wheels;     ///< all, in the order of the mechanism
 };
 
 /// At the drawn pose. Problems: no such wheel, an angle beyond the upper half of the wheel, a rover
 /// that no engine could run, no wheels.
 Result<Study> studyDrawnPose(const mechanism::Mechanism& mechanism, const StudyRequest& request);
+
+/// Where a wheel stands against something ahead and on the floor, the floor lets go when it begins
+/// to move: of every wheel the foremost foothold (the rearmost when it begins backwards).
+std::vector<Contact> impending(const StandingPose& pose, bool backwards = false);
+
+/// At a pose that a rover has taken up.
+/// @param searched  also look for the least torques
+Study studyPose(StaticModel& model, const StandingPose& pose, std::optional<ContactSet> contacts,
+                bool backwards = false, bool searched = true);
+
+/// Least angle by which the rover would have to turn about a line between two neighbouring footholds
+/// until its centre of mass is above it (E. G. Papadopoulos, D. A. Rey, ICRA 1996); 0 where it would
+/// tip, and with fewer than three footholds [rad].
+double tipOverAngle(const Vec3& centerOfMass, std::span<const Contact> contacts);
 
 }  // namespace simcore::statics

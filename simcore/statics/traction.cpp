@@ -22,6 +22,9 @@ constexpr double kFixedPointTolerance = 1e-11;
 constexpr double kDamping = 0.5;
 constexpr int kMaxCenters = 400;
 constexpr int kMaxNewton = 30;
+/// Loads of one wheel beyond this many rovers are not looked for: where joints are nearly locked,
+/// wheels that press against each other could raise theirs without end.
+constexpr double kMostRovers = 20.0;
 /// Share of the way back from what a center reaches to what it was allowed.
 constexpr double kBack = 0.1;
 
@@ -48,6 +51,20 @@ class Centers {
   public:
     std::vector<Cone> cones;
     std::vector<HalfSpace> halfSpaces;
+
+    /// Centers until it shows which cones and half-spaces hold the minimum, then Newton's method on
+    /// these alone; to `tolerance` by centers where that does not do.
+    void solve(VectorXd& y, double tolerance) const {
+        for (double coarse = 1e-2; coarse > 2.0 * tolerance; coarse *= 0.1) {
+            minimise(y, coarse * std::max(1e-3, reached(y)));
+            VectorXd sharp = y;
+            if (sharpen(sharp)) {
+                y = sharp;
+                return;
+            }
+        }
+        minimise(y, tolerance);
+    }
 
     /// The least s that y is allowed with.
     double reached(const VectorXd& y) const {
@@ -77,6 +94,93 @@ class Centers {
     }
 
   private:
+    /// Newton's method on the conditions of Karush, Kuhn and Tucker of what is near its border.
+    /// False, with `y` spoilt, where that is not the minimum.
+    bool sharpen(VectorXd& y) const {
+        constexpr double kNear = 0.05;
+        constexpr int kMost = 12;
+        const double before = reached(y);
+        double s = before;
+        std::vector<const Cone*> holding;
+        std::vector<const HalfSpace*> limits;
+        for (const Cone& cone : cones) {
+            if (cone.vector(y).norm() > (1.0 - kNear) * s * cone.reach(y)) {
+                holding.push_back(&cone);
+            }
+        }
+        for (const HalfSpace& half : halfSpaces) {
+            if (half.slope.dot(y) + half.start < 0.1 * kNear) {
+                limits.push_back(&half);
+            }
+        }
+        const Eigen::Index n = y.size();
+        const auto c = static_cast<Eigen::Index>(holding.size());
+        const auto h = static_cast<Eigen::Index>(limits.size());
+        VectorXd multipliers = VectorXd::Zero(c + h);
+        double scale = 1e-12;
+        for (const Cone* cone : holding) {
+            scale = std::max(scale, cone->vector(y).norm());
+        }
+        for (int iteration = 0; iteration < kMost; ++iteration) {
+            // Columns: y, s, multipliers. Rows: what the Lagrangian asks, then the borders.
+            MatrixXd matrix = MatrixXd::Zero(n + 1 + c + h, n + 1 + c + h);
+            VectorXd right = VectorXd::Zero(n + 1 + c + h);
+            right[n] = -1.0;
+            for (Eigen::Index i = 0; i < c; ++i) {
+                const Cone& cone = *holding[static_cast<std::size_t>(i)];
+                const VectorXd v = cone.vector(y);
+                const double length = v.norm();
+                if (!(length > 1e-9 * scale)) {
+                    return false;
+                }
+                const VectorXd along = cone.rows.transpose() * v / length;
+                matrix.topLeftCorner(n, n) +=
+                    multipliers[i] / length *
+                    (cone.rows.transpose() * cone.rows - along * along.transpose());
+                const VectorXd slope = along - s * cone.slope;
+                // Mixed derivatives of y and s.
+                matrix.col(n).head(n) -= multipliers[i] * cone.slope;
+                matrix.row(n).head(n) -= multipliers[i] * cone.slope.transpose();
+                matrix.col(n + 1 + i).head(n) = slope;
+                matrix.row(n + 1 + i).head(n) = slope.transpose();
+                matrix(n, n + 1 + i) = -cone.reach(y);
+                matrix(n + 1 + i, n) = -cone.reach(y);
+                right[n + 1 + i] = s * cone.reach(y) - length;
+            }
+            for (Eigen::Index i = 0; i < h; ++i) {
+                const HalfSpace& half = *limits[static_cast<std::size_t>(i)];
+                matrix.col(n + 1 + c + i).head(n) = -half.slope;
+                matrix.row(n + 1 + c + i).head(n) = -half.slope.transpose();
+                right[n + 1 + c + i] = half.slope.dot(y) + half.start;
+            }
+            // Unknown are the steps of y and s, and the multipliers themselves.
+            const VectorXd step = matrix.completeOrthogonalDecomposition().solve(right);
+            if (!step.allFinite()) {
+                return false;
+            }
+            y += step.head(n);
+            s += step[n];
+            multipliers = step.tail(c + h);
+            const double moved = step.head(n).norm() / (1.0 + y.norm()) + std::abs(step[n]);
+            if (iteration > 0 && moved < 1e-13) {
+                break;
+            }
+        }
+        for (const HalfSpace& half : halfSpaces) {
+            if (half.slope.dot(y) + half.start < -1e-9) {
+                return false;
+            }
+        }
+        for (const Cone& cone : cones) {
+            if (!(cone.reach(y) > 0.0)) {
+                return false;
+            }
+        }
+        const double least = multipliers.size() > 0 ? multipliers.minCoeff() : 0.0;
+        const double most = multipliers.size() > 0 ? multipliers.maxCoeff() : 0.0;
+        return reached(y) <= std::min(before, s + 1e-10) + 1e-12 && least >= -1e-9 * most;
+    }
+
     /// Sum of -log of how far each is from its border; infinite outside.
     double barrier(const VectorXd& y, double s) const {
         double sum = 0.0;
@@ -277,6 +381,10 @@ Forces Traction::moved(const Forces& forces, int axis, double step) const {
     return forcesOf(unknownsOf(forces) + step * motions_.col(axis));
 }
 
+double Traction::heaviest() const {
+    return kMostRovers * load_ * static_cast<double>(wheelOf_.size());
+}
+
 bool Traction::allowed(const Forces& forces) const {
     for (std::size_t w = 0; w < forces.torque.size(); ++w) {
         if (std::abs(forces.torque[w]) > torqueLimits_[w] * (1.0 + 1e-9)) {
@@ -308,13 +416,51 @@ std::optional<VectorXd> Traction::withShares(const VectorXd& shares) const {
 
 Solution Traction::equalTorque() const {
     Solution solution;
-    const auto unknowns = withShares(VectorXd::Ones(static_cast<Eigen::Index>(radii_.size())));
-    if (!unknowns) {
+    // Differences between the torques vanish: one equation for each wheel after the first.
+    std::vector<int> torques;
+    for (const int column : equilibrium_.torque) {
+        if (column >= 0) {
+            torques.push_back(column);
+        }
+    }
+    if (torques.empty() || imbalance_ > kBalanced) {
         return solution;
     }
-    solution.forces = forcesOf(*unknowns);
-    solution.way = Way::Equal;
-    solution.friction = solution.forces.maxRatio();
+    const auto rows = static_cast<Eigen::Index>(torques.size()) - 1;
+    MatrixXd differences(rows, motions_.cols());
+    VectorXd wanted(rows);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const int column = torques[static_cast<std::size_t>(i) + 1];
+        differences.row(i) = motions_.row(column) - motions_.row(torques[0]);
+        wanted[i] = some_[torques[0]] - some_[column];
+    }
+    VectorXd some = some_;
+    MatrixXd motions = motions_;
+    if (rows > 0 && motions_.cols() == 0 && wanted.cwiseAbs().maxCoeff() > kBalanced * scale_) {
+        return solution;
+    }
+    if (rows > 0 && motions_.cols() > 0) {
+        Eigen::ColPivHouseholderQR<MatrixXd> qr(differences.transpose());
+        qr.setThreshold(kDependent);
+        const MatrixXd q =
+            qr.householderQ() * MatrixXd::Identity(motions_.cols(), motions_.cols());
+        const VectorXd step = differences.completeOrthogonalDecomposition().solve(wanted);
+        if ((differences * step - wanted).cwiseAbs().maxCoeff() > kBalanced * scale_) {
+            return solution;
+        }
+        some += motions_ * step;
+        motions = motions_ * q.rightCols(motions_.cols() - qr.rank());
+    }
+    if (motions.cols() == 0) {
+        solution.forces = forcesOf(some);
+        solution.way = Way::Equal;
+        solution.friction = solution.forces.maxRatio();
+        return solution;
+    }
+    solution = search(some, motions, VectorXd::Zero(motions.cols()), Objective::Friction, 1e-8);
+    if (solution.way != Way::None) {
+        solution.way = Way::Equal;
+    }
     return solution;
 }
 
@@ -350,22 +496,23 @@ Solution Traction::fixedPoint() const {
 }
 
 /// Some y with all loads and torques within their limits, away from them. False when there is none.
-bool Traction::findInterior(VectorXd& y) const {
+bool Traction::findInterior(const VectorXd& some, const MatrixXd& motions, VectorXd& y) const {
     // One more coordinate: by how much the limits are relaxed.
-    const Eigen::Index n = motions_.cols();
+    const Eigen::Index n = motions.cols();
     std::vector<std::pair<VectorXd, double>> limits;
     const auto add = [&](const VectorXd& slope, double start, double scale) {
         limits.emplace_back(slope / scale, start / scale);
     };
     for (const int column : equilibrium_.normal) {
-        add(motions_.row(column).transpose(), some_[column], load_);
+        add(motions.row(column).transpose(), some[column], load_);
+        add(-motions.row(column).transpose(), heaviest() - some[column], heaviest());
     }
     for (std::size_t w = 0; w < torqueLimits_.size(); ++w) {
         const int column = equilibrium_.torque[w];
         if (column >= 0) {
-            const VectorXd slope = motions_.row(column).transpose();
-            add(slope, torqueLimits_[w] + some_[column], load_ * radii_[w]);
-            add(-slope, torqueLimits_[w] - some_[column], load_ * radii_[w]);
+            const VectorXd slope = motions.row(column).transpose();
+            add(slope, torqueLimits_[w] + some[column], load_ * radii_[w]);
+            add(-slope, torqueLimits_[w] - some[column], load_ * radii_[w]);
         }
     }
     double least = std::numeric_limits<double>::infinity();
@@ -419,16 +566,35 @@ Solution Traction::best(Objective objective, double tolerance) const {
     if (imbalance_ > kBalanced) {
         return none;
     }
+    if (motions_.cols() == 0) {
+        Solution only;
+        only.forces = forcesOf(some_);
+        only.way = allowed(only.forces) ? Way::Search : Way::None;
+        only.friction = only.forces.maxRatio();
+        return only;
+    }
     const Solution start = objective == Objective::Friction ? fixedPoint() : Solution{};
     VectorXd y = VectorXd::Zero(motions_.cols());
     if (start.way != Way::None) {
         y = motions_.transpose() * (unknownsOf(start.forces) - some_);
     }
-    if (!findInterior(y)) {
+    const Solution found = search(some_, motions_, y, objective, tolerance);
+    if (start.way != Way::None &&
+        (found.way == Way::None || start.friction <= found.friction + tolerance)) {
+        return start;
+    }
+    return found;
+}
+
+/// The best forces some + motions y for an objective, from near `y`.
+Solution Traction::search(const VectorXd& some, const MatrixXd& motions, VectorXd y,
+                          Objective objective, double tolerance) const {
+    Solution none;
+    if (!findInterior(some, motions, y)) {
         return none;
     }
     Centers centers;
-    const auto rowOf = [&](int column) { return motions_.row(column); };
+    const auto rowOf = [&](int column) { return motions.row(column); };
     for (std::size_t i = 0; i < wheelOf_.size(); ++i) {
         const int normal = equilibrium_.normal[i];
         if (objective == Objective::Friction) {
@@ -436,16 +602,18 @@ Solution Traction::best(Objective objective, double tolerance) const {
             cone.rows = MatrixXd::Zero(2, y.size());
             cone.offsets = VectorXd::Zero(2);
             cone.rows.row(0) = rowOf(equilibrium_.traction[i]);
-            cone.offsets[0] = some_[equilibrium_.traction[i]];
+            cone.offsets[0] = some[equilibrium_.traction[i]];
             if (equilibrium_.lateral[i] >= 0) {
                 cone.rows.row(1) = rowOf(equilibrium_.lateral[i]);
-                cone.offsets[1] = some_[equilibrium_.lateral[i]];
+                cone.offsets[1] = some[equilibrium_.lateral[i]];
             }
             cone.slope = rowOf(normal).transpose();
-            cone.start = some_[normal];
+            cone.start = some[normal];
             centers.cones.push_back(std::move(cone));
         }
-        centers.halfSpaces.push_back({rowOf(normal).transpose() / load_, some_[normal] / load_});
+        centers.halfSpaces.push_back({rowOf(normal).transpose() / load_, some[normal] / load_});
+        centers.halfSpaces.push_back(
+            {-rowOf(normal).transpose() / heaviest(), 1.0 - some[normal] / heaviest()});
     }
     Cone all;
     std::vector<int> torques;
@@ -456,13 +624,13 @@ Solution Traction::best(Objective objective, double tolerance) const {
         }
         torques.push_back(column);
         const VectorXd slope = rowOf(column).transpose() / torqueLimits_[w];
-        const double offset = some_[column] / torqueLimits_[w];
+        const double offset = some[column] / torqueLimits_[w];
         centers.halfSpaces.push_back({slope, 1.0 + offset});
         centers.halfSpaces.push_back({-slope, 1.0 - offset});
         if (objective == Objective::Torque) {
             Cone cone;
             cone.rows = rowOf(column);
-            cone.offsets = VectorXd::Constant(1, some_[column]);
+            cone.offsets = VectorXd::Constant(1, some[column]);
             cone.slope = VectorXd::Zero(y.size());
             cone.start = 1.0;
             centers.cones.push_back(std::move(cone));
@@ -473,20 +641,17 @@ Solution Traction::best(Objective objective, double tolerance) const {
         all.offsets.resize(all.rows.rows());
         for (std::size_t k = 0; k < torques.size(); ++k) {
             all.rows.row(static_cast<Eigen::Index>(k)) = rowOf(torques[k]);
-            all.offsets[static_cast<Eigen::Index>(k)] = some_[torques[k]];
+            all.offsets[static_cast<Eigen::Index>(k)] = some[torques[k]];
         }
         all.slope = VectorXd::Zero(y.size());
         all.start = 1.0;
         centers.cones.push_back(std::move(all));
     }
-    centers.minimise(y, tolerance);
+    centers.solve(y, tolerance);
     Solution found;
     found.way = Way::Search;
-    found.forces = forcesOf(some_ + motions_ * y);
+    found.forces = forcesOf(some + motions * y);
     found.friction = found.forces.maxRatio();
-    if (start.way != Way::None && start.friction <= found.friction + tolerance) {
-        return start;
-    }
     return found;
 }
 

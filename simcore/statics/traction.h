@@ -59,8 +59,8 @@ class Traction {
     /// Dimension of the space of solutions.
     int dimension() const { return static_cast<int>(motions_.cols()); }
 
-    /// The forces with the same torque at every wheel that touches; least in norm where the contact
-    /// set leaves some of them open. None when no equal torque holds the rover.
+    /// The forces with the same torque at every wheel that touches; where the contact set leaves some
+    /// open, those that ask the least friction. None when no equal torque holds the rover.
     Solution equalTorque() const;
 
     /// Torques proportional to load times radius, iterated with the loads they make (Lamon et al.
@@ -86,7 +86,11 @@ class Traction {
     Eigen::VectorXd unknownsOf(const Forces& forces) const;
     Forces forcesOf(const Eigen::VectorXd& unknowns) const;
     bool allowed(const Forces& forces) const;
-    bool findInterior(Eigen::VectorXd& y) const;
+    double heaviest() const;
+    bool findInterior(const Eigen::VectorXd& some, const Eigen::MatrixXd& motions,
+                      Eigen::VectorXd& y) const;
+    Solution search(const Eigen::VectorXd& some, const Eigen::MatrixXd& motions, Eigen::VectorXd y,
+                    Objective objective, double tolerance) const;
 
     const Equilibrium equilibrium_;
     std::vector<int> wheelOf_;          ///< of every contact

@@ -153,7 +153,7 @@ TEST(StaticModelTest, MotionsAreDerivativesOfPoses) {
     // Weight and springs do the work that the potential energy loses.
     const auto energyAt = [&](int motion, double step) {
         StaticModel moved(mechanism, Model::Built);
-        dynamics::TreeState state = moved.drawnState();
+        dynamics::TreeState state = moved.reset();
         dynamics::advance(moved.tree(), state, model.change(motion, step));
         EXPECT_TRUE(moved.place(state));
         double energy = 0.0;
