@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <span>
+#include <utility>
 
 namespace simcore::contact {
 namespace {
@@ -44,7 +44,7 @@ WheelContactFinder::WheelContactFinder(const mechanism::Mechanism& mechanism,
       margin_(margin) {
     for (const mechanism::Wheel& wheel : mechanism.wheels) {
         discs_.push_back(discsOf(wheel));
-        segments_.resize(std::max(segments_.size(), discs_.back().offsets.size()));
+        segments_.resize(std::max(segments_.size(), discs_.back().offsets().size()));
     }
     // More than any usual ground asks for, so that a drive takes nothing more from the heap.
     constexpr std::size_t kRoom = 256;
@@ -65,13 +65,15 @@ WheelContactFinder::Discs WheelContactFinder::discsOf(const mechanism::Wheel& wh
         const double gap = 2.0 * kOuterSlice * wheel.width / gaps;
         inner = std::clamp(static_cast<int>(std::ceil(gap / kInnerSpacing)) - 1, 0, kMostInner);
     }
-    Discs discs;
-    discs.perGap = static_cast<std::size_t>(inner) + 1;
+    std::vector<double> offsets;
     const int count = slices_ + gaps * inner;
     for (int disc = 0; disc < count; ++disc) {
-        discs.offsets.push_back(offsetOf(disc, count) * wheel.width);
+        offsets.push_back(offsetOf(disc, count) * wheel.width);
     }
-    return discs;
+    // A little more than the radius, so that every corner comes with both its segments.
+    constexpr double kMore = 1e-5;
+    return {DiscSections(std::move(offsets), wheel.radius + margin_ + kMore),
+            static_cast<std::size_t>(inner) + 1};
 }
 
 /// @param plane  the disc's
@@ -93,7 +95,7 @@ void WheelContactFinder::findOuter(std::size_t wheel, const SlicePlane& middle, 
     buried_.clear();
     for (int slice = 0; slice < slices_; ++slice) {
         const std::size_t disc = static_cast<std::size_t>(slice) * discs.perGap;
-        const SlicePlane plane{middle.origin + discs.offsets[disc] * axis, middle.u, middle.v};
+        const SlicePlane plane{middle.origin + discs.offsets()[disc] * axis, middle.u, middle.v};
         for (const SliceContact& contact : touch(wheel, disc, plane)) {
             add(static_cast<int>(wheel), slice, plane, axis, contact);
         }
@@ -115,11 +117,11 @@ void WheelContactFinder::findInner(std::size_t wheel, const SlicePlane& middle, 
     const Discs& discs = discs_[wheel];
     const std::size_t outerEnd = contacts_.size();
     int slice = slices_;
-    for (std::size_t disc = 0; disc < discs.offsets.size(); ++disc) {
+    for (std::size_t disc = 0; disc < discs.offsets().size(); ++disc) {
         if (discs.isOuter(disc)) {
             continue;
         }
-        const SlicePlane plane{middle.origin + discs.offsets[disc] * axis, middle.u, middle.v};
+        const SlicePlane plane{middle.origin + discs.offsets()[disc] * axis, middle.u, middle.v};
         for (const SliceContact& contact : touch(wheel, disc, plane)) {
             const bool bulge = std::none_of(
                 contacts_.begin() + static_cast<std::ptrdiff_t>(first),
@@ -193,16 +195,12 @@ void WheelContactFinder::dropOvertopped(const std::vector<SideContact>& sides, s
 
 const std::vector<Contact>& WheelContactFinder::find(const std::vector<Pose>& bodies) {
     contacts_.clear();
-    // A little more than the radius, so that every corner comes with both its segments.
-    constexpr double kMore = 1e-5;
     for (std::size_t i = 0; i < mechanism_.wheels.size(); ++i) {
         const mechanism::Wheel& wheel = mechanism_.wheels[i];
         const Pose& pose = bodies[static_cast<std::size_t>(wheel.body)];
         const Vec3 axis = pose.rotation * wheel.axis;
         const SlicePlane middle = planeOf(pose * wheel.center, axis);
-        const std::vector<double>& offsets = discs_[i].offsets;
-        terrain_.slice(middle, offsets, wheel.radius + margin_ + kMore,
-                       std::span(segments_).first(offsets.size()));
+        discs_[i].sections.cut(terrain_, middle, segments_);
         const std::size_t first = contacts_.size();
         findOuter(i, middle, axis);
         findInner(i, middle, axis, first);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "simcore/base/pose.h"
+#include "simcore/contact/disc_sections.h"
 #include "simcore/contact/side_contacts.h"
 #include "simcore/contact/slice_contacts.h"
 #include "simcore/mechanism/mechanism.h"
@@ -53,8 +54,10 @@ class WheelContactFinder {
   private:
     /// A wheel cut into discs.
     struct Discs {
-        std::vector<double> offsets;  ///< from the wheel's middle along its axis, ascending [m]
-        std::size_t perGap = 1;       ///< discs from one outer one to the next
+        DiscSections sections;
+        std::size_t perGap;  ///< discs from one outer one to the next
+
+        const std::vector<double>& offsets() const { return sections.offsets(); }
 
         bool isOuter(std::size_t disc) const { return disc % perGap == 0; }
     };

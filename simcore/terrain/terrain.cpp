@@ -93,31 +93,21 @@ Eigen::Vector2d cutEdge(const SeenVertex& a, const SeenVertex& b, double offset)
     return p.place + share * (q.place - p.place);
 }
 
-/// The piece of a triangle that lies in the plane at `offset`, its free side to the left of a -> b.
-/// False when there is none.
-bool cut(const SeenVertex& first, const SeenVertex& second, const SeenVertex& third, double offset,
-         Eigen::Vector2d& a, Eigen::Vector2d& b) {
-    // On the plane counts as above it: a triangle is cut or not, never twice on an edge.
-    const bool above1 = first.distance >= offset;
-    const bool above2 = second.distance >= offset;
-    const bool above3 = third.distance >= offset;
-    if (above1 == above2 && above2 == above3) {
-        return false;
-    }
-    const auto cutOff = [&](const SeenVertex& alone, const SeenVertex& next, const SeenVertex& last,
-                            bool above) {
-        // Round the triangle, its free side in view, the section begins where the way goes down.
-        (above ? a : b) = cutEdge(alone, next, offset);
-        (above ? b : a) = cutEdge(last, alone, offset);
-    };
-    if (above2 == above3) {
-        cutOff(first, second, third, above1);
-    } else if (above1 == above3) {
-        cutOff(second, third, first, above2);
-    } else {
-        cutOff(third, first, second, above3);
-    }
-    return true;
+/// The piece of a triangle that lies in the plane at `offset`, which has corners on both sides of
+/// it; the free side is to the left of a -> b. On the plane counts as above it: a triangle is cut
+/// or not, never twice on an edge.
+void cut(const std::array<SeenVertex, 3>& seen, double offset, Eigen::Vector2d& a,
+         Eigen::Vector2d& b) {
+    const bool above0 = seen[0].distance >= offset;
+    const bool above1 = seen[1].distance >= offset;
+    const bool above2 = seen[2].distance >= offset;
+    const std::size_t alone = above1 == above2 ? 0 : (above0 == above2 ? 1 : 2);
+    const Eigen::Vector2d after = cutEdge(seen[alone], seen[(alone + 1) % 3], offset);
+    const Eigen::Vector2d before = cutEdge(seen[(alone + 2) % 3], seen[alone], offset);
+    // Round the triangle, its free side in view, the section begins where the way goes down.
+    const bool down = seen[alone].distance >= offset;
+    a = down ? after : before;
+    b = down ? before : after;
 }
 
 /// Whether no piece that a plane cuts from these vertices' hull is within `radius` [m]: the line
@@ -582,124 +572,115 @@ void Terrain::visitRuns(const Vec3& center, const Vec3& axis, double halfLength,
     }
 }
 
-void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, double radius,
-                    std::span<std::vector<SliceSegment>> out) const {
-    for (std::vector<SliceSegment>& segments : out) {
-        segments.clear();
+void Terrain::slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const {
+    constexpr double kNoOffset = 0.0;
+    std::vector<int> triangles;
+    findNear(plane, {&kNoOffset, 1}, radius, 0.0, {&triangles, 1});
+    slice(plane, kNoOffset, radius, triangles, out);
+}
+
+void Terrain::slice(const SlicePlane& plane, double offset, double radius,
+                    std::span<const int> triangles, std::vector<SliceSegment>& out) const {
+    out.clear();
+    const Vec3 w = plane.v.cross(plane.u);
+    const double radius2 = radius * radius;
+    // The vertices' places along u and v, both at a time.
+    const Eigen::Vector2d perX(plane.u.x(), plane.v.x());
+    const Eigen::Vector2d perY(plane.u.y(), plane.v.y());
+    const Eigen::Vector2d perZ(plane.u.z(), plane.v.z());
+    const Vec3* const vertices = mesh_.vertices.data();
+    const auto distanceOf = [&](int vertex) { return w.dot(vertices[vertex] - plane.origin); };
+    const auto seenAt = [&](int vertex, double distance) {
+        const Vec3 arm = vertices[vertex] - plane.origin;
+        return SeenVertex{vertex, distance, arm.x() * perX + arm.y() * perY + arm.z() * perZ};
+    };
+    SliceSegment segment;
+    for (const int index : triangles) {
+        const auto triangle = static_cast<std::size_t>(index);
+        const std::array<int, 3>& corners = mesh_.triangles[triangle];
+        const double first = distanceOf(corners[0]);
+        const double second = distanceOf(corners[1]);
+        const double third = distanceOf(corners[2]);
+        if ((first >= offset) == (second >= offset) && (second >= offset) == (third >= offset)) {
+            continue;
+        }
+        cut({seenAt(corners[0], first), seenAt(corners[1], second), seenAt(corners[2], third)},
+            offset, segment.a, segment.b);
+        const Eigen::Vector2d nearest =
+            segment.a + nearestShare(segment.a, segment.b) * (segment.b - segment.a);
+        if (nearest.squaredNorm() <= radius2) {
+            segment.normal = normals_[triangle];
+            out.push_back(segment);
+        }
+    }
+}
+
+void Terrain::findNear(const SlicePlane& plane, std::span<const double> offsets, double radius,
+                       double slack, std::span<std::vector<int>> out) const {
+    for (std::vector<int>& triangles : out) {
+        triangles.clear();
     }
     if (offsets.empty()) {
         return;
     }
     const Vec3 w = plane.v.cross(plane.u);
-    const double halfLength = 0.5 * (offsets.back() - offsets.front());
-    const Vec3 center = plane.origin + 0.5 * (offsets.back() + offsets.front()) * w;
-    const double radius2 = radius * radius;
-
-    const auto add = [&](std::size_t triangle, double offset, const SliceSegment& segment, int ix,
-                         int iy, std::vector<SliceSegment>& to) {
-        const Eigen::Vector2d nearest =
-            segment.a + nearestShare(segment.a, segment.b) * (segment.b - segment.a);
-        if (nearest.squaredNorm() > radius2) {
-            return;
-        }
-        // A triangle that lies in several cells is taken in that of its nearest point, which is one
-        // of those searched.
-        if (spread_[triangle] != 0) {
-            const CellRange cells = cellsOf(mesh_.triangles[triangle]);
-            const Vec3 place =
-                plane.origin + offset * w + nearest.x() * plane.u + nearest.y() * plane.v;
-            if (std::clamp(column(place.x()), cells.firstX, cells.lastX) != ix ||
-                std::clamp(row(place.y()), cells.firstY, cells.lastY) != iy) {
-                return;
-            }
-        }
-        to.push_back(segment);
-        to.back().normal = normals_[triangle];
-    };
-    // The vertices' places along u and v, both at a time.
-    const Eigen::Vector2d perX(plane.u.x(), plane.v.x());
-    const Eigen::Vector2d perY(plane.u.y(), plane.v.y());
-    const Eigen::Vector2d perZ(plane.u.z(), plane.v.z());
+    // Rounding loses none.
+    const double most = slack + kSlack;
+    const double within = radius + most;
     std::array<SeenVertex, 4> seen;
-    std::array<Vec3, 4> arms;
-    const auto approach = [&](std::size_t k, int vertex) {
-        arms[k] = mesh_.vertices[static_cast<std::size_t>(vertex)] - plane.origin;
-        seen[k].index = vertex;
-        seen[k].distance = w.dot(arms[k]);
+    const auto see = [&](std::size_t k, int vertex) {
+        const Vec3 arm = mesh_.vertices[static_cast<std::size_t>(vertex)] - plane.origin;
+        seen[k] = {vertex, w.dot(arm), {plane.u.dot(arm), plane.v.dot(arm)}};
     };
-    const auto see = [&](std::size_t k) {
-        seen[k].place = arms[k].x() * perX + arms[k].y() * perY + arms[k].z() * perZ;
-    };
-    const double* const firstOffset = offsets.data();
-    const double* const endOffset = firstOffset + offsets.size();
-    SliceSegment segment;
-    /// Calls sliceAt(offset, out) for the planes between two distances, after look() when there
-    /// are.
-    const auto forPlanes = [&](double low, double high, auto&& look, auto&& sliceAt) {
-        const double* offset = firstOffset;
-        while (offset != endOffset && *offset <= low) {
-            ++offset;
-        }
-        if (offset == endOffset || *offset > high || !look()) {
-            return;
-        }
-        for (; offset != endOffset && *offset <= high; ++offset) {
-            sliceAt(*offset, out[static_cast<std::size_t>(offset - firstOffset)]);
-        }
-    };
-    const auto sliceTriangle = [&](std::size_t triangle, int ix, int iy) {
-        const std::array<int, 3>& corners = mesh_.triangles[triangle];
-        for (std::size_t k = 0; k < 3; ++k) {
-            approach(k, corners[k]);
-        }
+    const auto take = [&](int triangle, std::size_t a, std::size_t b, std::size_t c) {
         const auto [low, high] =
-            std::minmax({seen[0].distance, seen[1].distance, seen[2].distance});
-        const auto look = [&] {
-            for (std::size_t k = 0; k < 3; ++k) {
-                see(k);
+            std::minmax({seen[a].distance, seen[b].distance, seen[c].distance});
+        for (std::size_t k = 0; k < offsets.size(); ++k) {
+            if (low - most <= offsets[k] && offsets[k] <= high + most) {
+                out[k].push_back(triangle);
             }
-            return true;
-        };
-        forPlanes(low, high, look, [&](double offset, std::vector<SliceSegment>& to) {
-            if (cut(seen[0], seen[1], seen[2], offset, segment.a, segment.b)) {
-                add(triangle, offset, segment, ix, iy, to);
-            }
-        });
-    };
-    const auto sliceQuad = [&](const Quad& quad, int ix, int iy) {
-        for (std::size_t k = 0; k < 4; ++k) {
-            approach(k, quad.corners[k]);
         }
-        const double low = std::min(std::min(seen[0].distance, seen[1].distance),
-                                    std::min(seen[2].distance, seen[3].distance));
-        const double high = std::max(std::max(seen[0].distance, seen[1].distance),
-                                     std::max(seen[2].distance, seen[3].distance));
-        const auto look = [&] {
-            for (std::size_t k = 0; k < 4; ++k) {
-                see(k);
-            }
-            return !areBeyond(seen, radius + kSlack);
-        };
-        forPlanes(low, high, look, [&](double offset, std::vector<SliceSegment>& to) {
-            if (cut(seen[0], seen[1], seen[2], offset, segment.a, segment.b)) {
-                add(static_cast<std::size_t>(quad.triangles[0]), offset, segment, ix, iy, to);
-            }
-            if (cut(seen[0], seen[2], seen[3], offset, segment.a, segment.b)) {
-                add(static_cast<std::size_t>(quad.triangles[1]), offset, segment, ix, iy, to);
-            }
-        });
     };
-    const auto sliceCell = [&](std::size_t cell, int ix, int iy) {
+    const auto look = [&](std::size_t cell) {
         if (!quads_.empty() && quads_[cell].isQuad()) {
-            sliceQuad(quads_[cell], ix, iy);
+            const Quad& quad = quads_[cell];
+            for (std::size_t k = 0; k < 4; ++k) {
+                see(k, quad.corners[k]);
+            }
+            if (!areBeyond(seen, within)) {
+                take(quad.triangles[0], 0, 1, 2);
+                take(quad.triangles[1], 0, 2, 3);
+            }
             return;
         }
         for (int i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i) {
-            sliceTriangle(static_cast<std::size_t>(cellTriangles_[static_cast<std::size_t>(i)]), ix,
-                          iy);
+            const int triangle = cellTriangles_[static_cast<std::size_t>(i)];
+            const auto& corners = mesh_.triangles[static_cast<std::size_t>(triangle)];
+            for (std::size_t k = 0; k < 3; ++k) {
+                see(k, corners[k]);
+            }
+            seen[3] = seen[2];
+            if (!areBeyond(seen, within)) {
+                take(triangle, 0, 1, 2);
+            }
         }
     };
+    visitCells(plane, offsets.front() - most, offsets.back() + most, within, look);
+    // Once each, also those that lie in several cells, and in an order that does not tell from
+    // where they were looked up.
+    for (std::vector<int>& triangles : out) {
+        std::sort(triangles.begin(), triangles.end());
+        triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    }
+}
 
+template <class Visit>
+void Terrain::visitCells(const SlicePlane& plane, double from, double to, double radius,
+                         Visit&& visit) const {
+    const Vec3 w = plane.v.cross(plane.u);
+    const double halfLength = 0.5 * (to - from);
+    const Vec3 center = plane.origin + 0.5 * (to + from) * w;
+    const double radius2 = radius * radius;
     // Where u is level, no point of the discs is below their rims at its place along u. Nor, unless
     // the axle is steep, below the cylinder that the rims lie on, which rises along the axle.
     constexpr double kLevel = 1e-9;
@@ -763,7 +744,7 @@ void Terrain::slice(const SlicePlane& plane, std::span<const double> offsets, do
             for (int iy = run.firstY; iy <= run.lastY; ++iy, ++cell) {
                 if (cellHighest_[cell] >= limit &&
                     static_cast<double>(cellHighest_[cell]) >= start + iy * cellY_ * slope.y()) {
-                    sliceCell(cell, ix, iy);
+                    visit(cell);
                 }
             }
         }

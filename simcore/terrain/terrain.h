@@ -62,19 +62,23 @@ class Terrain {
     /// the bound of the nearest cells. A handful of look-ups.
     double highest(const Vec3& low, const Vec3& high) const;
 
-    /// Exact sections of the ground with planes beside each other: the pieces that come within
-    /// `radius` of each plane's origin. No allocation once `out` has grown.
-    /// @param plane    a plane
-    /// @param offsets  of the planes' origins from that plane's, along v x u, ascending [m]
-    /// @param out      as long as `offsets`, cleared first
-    void slice(const SlicePlane& plane, std::span<const double> offsets, double radius,
-               std::span<std::vector<SliceSegment>> out) const;
+    /// Exact section of the ground with a plane: the pieces that come within `radius` of its
+    /// origin.
+    void slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const;
 
-    /// Section with one plane.
-    void slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const {
-        constexpr double kNoOffset = 0.0;
-        slice(plane, {&kNoOffset, 1}, radius, {&out, 1});
-    }
+    /// The same of some triangles alone. No allocation once `out` has grown.
+    /// @param offset     of the plane's origin from the given one's, along v x u [m]
+    /// @param triangles  by index
+    /// @param out        in their order, cleared first
+    void slice(const SlicePlane& plane, double offset, double radius,
+               std::span<const int> triangles, std::vector<SliceSegment>& out) const;
+
+    /// Triangles that slices with planes beside each other may find, also when every point within
+    /// `radius` of a plane's origin goes up to `slack` away. No allocation once `out` has grown.
+    /// @param offsets  of the planes' origins from that plane's, along v x u, ascending [m]
+    /// @param out      for each plane, ascending; cleared first
+    void findNear(const SlicePlane& plane, std::span<const double> offsets, double radius,
+                  double slack, std::span<std::vector<int>> out) const;
 
     /// Triangles that may reach into the box from `low` to `high` and whose normals are within
     /// `angle` [rad] of +axis or -axis (unit). Appends to `out` (cleared first).
@@ -108,6 +112,11 @@ class Terrain {
     /// That a triangle is listed in: one when it fills a cell, as a triangle of a grid does.
     CellRange cellsOf(const std::array<int, 3>& triangle) const;
     std::size_t cellAt(int ix, int iy) const;
+    /// Calls visit(cell) for the cells whose ground may come within `radius` of a plane's origin.
+    /// @param from, to  offsets of the first plane and the last one [m]
+    template <class Visit>
+    void visitCells(const SlicePlane& plane, double from, double to, double radius,
+                    Visit&& visit) const;
     /// Calls visit(CellRange) for all cells that a cylinder passes over, a row of them at a time.
     /// @param reach  from the centre, of the part that is looked at [m]
     template <class Visit>

@@ -197,6 +197,47 @@ TEST(WheelContactTest, SpinDoesNotMatter) {
     }
 }
 
+// Triangles near a wheel are kept while it stays near: slowly, faster, turning, at rest, elsewhere.
+TEST(WheelContactTest, WhereTheWheelCameFromDoesNotMatter) {
+    for (const auto& ground : {spec(TerrainKind::Particles, 0.0, 3.0, 0.11, 150, 3),
+                               spec(TerrainKind::Sinus, 0.1, 0.4, 0.0, 4),
+                               spec(TerrainKind::Stairs, 0.1, 0.2, 0.0, 6)}) {
+        const auto terrain = made(ground);
+        const OneWheel wheel{kRadius, kWidth};
+        const mechanism::Mechanism mechanism = wheel.mechanism();
+        WheelContactFinder moving(mechanism, terrain, 2, 1e-3);
+        std::vector<Pose> poses(2);
+        Random random(11);
+        Vec3 center(0.5, 0.1, 0.0);
+        double heading = 0.0;
+        std::size_t total = 0;
+        for (int step = 0; step < 2000; ++step) {
+            const double speed = step % 400 < 50 ? 0.0 : 1e-5 * (1 + step % 400);
+            center += speed * Vec3(std::cos(heading), std::sin(heading), 0.0);
+            heading += random.uniform(-0.01, 0.01);
+            if (step % 500 == 499) {
+                center = {random.uniform(0.0, 2.0), random.uniform(-0.3, 0.3), 0.0};
+            }
+            center.z() = terrain.heightAt(center.x(), center.y()) + kRadius - 5e-4;
+            poses[1] = {Eigen::Quaterniond(Eigen::AngleAxisd(heading, Vec3::UnitZ()) *
+                                           Eigen::AngleAxisd(0.1 * heading, Vec3::UnitX())),
+                        center};
+            const std::vector<Contact>& found = moving.find(poses);
+            const std::vector<Contact> wanted =
+                wheel.contactsAt(terrain, center, poses[1].rotation, 2, 1e-3);
+            total += wanted.size();
+            ASSERT_EQ(found.size(), wanted.size()) << "step " << step;
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                ASSERT_EQ(found[i].slice, wanted[i].slice);
+                ASSERT_EQ(found[i].point, wanted[i].point);
+                ASSERT_EQ(found[i].normal, wanted[i].normal);
+                ASSERT_EQ(found[i].depth, wanted[i].depth);
+            }
+        }
+        EXPECT_GT(total, 2000u) << "the wheel misses the ground";
+    }
+}
+
 // On any ground: unit vectors, forward square to normal and axle, depth below the radius, and the
 // deepest contact as deep as the nearest point of a finely sampled ground.
 TEST(WheelContactTest, AgreesWithFinelySampledGround) {
