@@ -10,6 +10,7 @@
 
 #include "app/roversim/commands.h"
 #include "simcore/experiment/comparison.h"
+#include "simcore/experiment/ground_statics.h"
 #include "simcore/experiment/worker_pool.h"
 #include "simcore/io/atomic_file.h"
 #include "simcore/io/experiment_journal.h"
@@ -17,6 +18,8 @@
 #include "simcore/io/mobility_json.h"
 #include "simcore/io/project_file.h"
 #include "simcore/project/names.h"
+#include "simcore/project/resolve.h"
+#include "simcore/run/simulation.h"
 
 namespace roversim {
 
@@ -33,6 +36,10 @@ struct Options {
     std::vector<std::string> controllers;
     std::string engine = "reduced";
     double step = 0.002;
+    double assumedFriction = 0.5;
+    double controlPeriod = 0.01;
+    double noise = 0.0;
+    std::vector<std::string> parameters;
     int jobs = 0;
     std::string folder;
     bool json = false;
@@ -76,6 +83,9 @@ std::optional<experiment::Plan> planOf(const Options& options) {
     }
     plan.engine = *project::fromName<project::EngineKind>(options.engine);
     plan.step = options.step;
+    plan.assumedFriction = options.assumedFriction;
+    plan.controlPeriod = options.controlPeriod;
+    plan.noise = options.noise;
     return plan;
 }
 
@@ -120,13 +130,16 @@ bool driveMissing(const experiment::Plan& plan, const project::Project& project,
 
 void printSummary(const std::vector<Outcome>& outcomes,
                   const std::vector<experiment::Comparison>& comparisons) {
-    fmt::print("{:<6}{:<16}{:<16}{:>7}{:>7}{:>6}{:>7}{:>16}{:>8}{:>7}{:>8}\n", "mu", "controller",
-               "rival", "pairs", "valid", "wins", "ratio", "95 %", "loaded", "work", "energy");
+    fmt::print("{:<6}{:<10}{:<16}{:<16}{:>7}{:>7}{:>6}{:>7}{:>16}{:>8}{:>7}{:>8}\n", "mu", "grounds",
+               "controller", "rival", "pairs", "valid", "wins", "ratio", "95 %", "loaded", "work", "energy");
     for (const experiment::Comparison& c : comparisons) {
         const std::string interval =
             c.slip.low > 0.0 ? fmt::format("{:.2f}..{:.2f}", c.slip.low, c.slip.high) : "";
-        fmt::print("{:<6}{:<16}{:<16}{:>7}{:>7}{:>6}{:>7.2f}{:>16}{:>8.2f}{:>7.2f}{:>8.2f}\n",
-                   c.friction, project::nameOf(c.controller), project::nameOf(c.rival), c.pairs,
+        if (c.grounds != experiment::Grounds::All && c.pairs == 0) {
+            continue;
+        }
+        fmt::print("{:<6}{:<10}{:<16}{:<16}{:>7}{:>7}{:>6}{:>7.2f}{:>16}{:>8.2f}{:>7.2f}{:>8.2f}\n",
+                   c.friction, toString(c.grounds), project::nameOf(c.controller), project::nameOf(c.rival), c.pairs,
                    c.valid, c.slip.wins, c.slip.meanRatio, interval, c.loadedSlip.meanRatio,
                    c.work.meanRatio, c.energy.meanRatio);
     }
@@ -141,6 +154,24 @@ void printSummary(const std::vector<Outcome>& outcomes,
     }
 }
 
+/// The rover with parameters set, as `roversim run --set` does.
+Result<project::Project> withParameters(const project::Project& project,
+                                        const experiment::Plan& plan,
+                                        const experiment::Case& first,
+                                        const std::vector<project::Assignment>& assignments) {
+    if (const auto resolved = project::resolve(project, {}, assignments); !resolved) {
+        return resolved.problems();
+    }
+    const auto own = experiment::projectOf(project, plan, first);
+    if (!own) {
+        return own.problems();
+    }
+    run::RunRequest request;
+    request.scenario = own->scenarios.front().name;
+    request.assignments = assignments;
+    return run::asRequested(*own, request);
+}
+
 int reproduce(const Options& options) {
     const auto plan = planOf(options);
     if (!plan) {
@@ -153,12 +184,17 @@ int reproduce(const Options& options) {
     }
     const std::string file =
         options.rover.empty() ? (io::examplesFolder() / "solero.rover").string() : options.rover;
-    const auto project = loadOrComplain(file);
-    if (!project) {
+    const auto assignments = parseAssignments(options.parameters);
+    if (!assignments) {
+        return kWrongUse;
+    }
+    const auto loaded = loadOrComplain(file);
+    if (!loaded) {
         return kAnswerIsNo;
     }
-    if (const auto first = experiment::projectOf(*project, *plan, cases->front()); !first) {
-        printProblems(file, first.problems());
+    const auto project = withParameters(*loaded, *plan, cases->front(), *assignments);
+    printProblems(file, project.problems());
+    if (!project) {
         return kAnswerIsNo;
     }
     std::vector<Outcome> outcomes;
@@ -224,14 +260,16 @@ int work() {
     if (!parsed) {
         return kAnswerIsNo;
     }
+    experiment::GroundStatics statics;
     while (std::getline(std::cin, line)) {
         const auto what = io::parseCase(line);
         if (!what) {
             fmt::print(stderr, "roversim: worker: {}: no case of an experiment\n", line);
             return kAnswerIsNo;
         }
-        fmt::print("{}\n",
-                   io::formatOutcome(experiment::drive(parsed->project, parsed->plan, *what)));
+        Outcome outcome = experiment::drive(parsed->project, parsed->plan, *what);
+        outcome.staticFriction = statics.frictionRequired(parsed->project, parsed->plan, what->seed);
+        fmt::print("{}\n", io::formatOutcome(outcome));
         std::fflush(stdout);
     }
     return kGood;
@@ -260,6 +298,22 @@ void addReproduceCommand(CLI::App& app, int& exitCode) {
     command->add_option("--dt", options->step, "Engine step [s]")
         ->check(CLI::Range(1e-5, 0.02))
         ->capture_default_str();
+    command
+        ->add_option("--assumed-mu", options->assumedFriction,
+                     "Friction that controllers cap traction by; 0: no cap")
+        ->check(CLI::Range(0.0, 5.0))
+        ->capture_default_str();
+    command->add_option("--period", options->controlPeriod, "Period of the controllers [s]")
+        ->check(CLI::Range(1e-3, 0.2))
+        ->capture_default_str();
+    command
+        ->add_option("--noise", options->noise,
+                     "Noise of the sensors, in multiples of that in docs/experiments.md")
+        ->check(CLI::Range(0.0, 100.0))
+        ->capture_default_str();
+    command
+        ->add_option("--set", options->parameters, "NAME=VALUE, set a parameter (may be repeated)")
+        ->allow_extra_args(false);
     command->add_option("--jobs", options->jobs, "Processes at a time; as many as cores without it")
         ->check(CLI::Range(1, 1024));
     command->add_option("--csv", options->folder,

@@ -21,6 +21,8 @@ constexpr double kFastest = 2.0;
 constexpr double kSmoothing = 0.03;
 // P loops towards rolling, in torque limits per rad/s (assumed: mild against a PI loop's 0.5).
 constexpr double kMildGain = 0.25;
+// Of the hybrid's speed term; 0.05, 0.07, 0.1 and 0.25 were tried on profiles 1 to 12.
+constexpr double kHybridGain = 0.07;
 // The integral that all wheels have in common, in torque limits per rad (assumed).
 constexpr double kCommonIntegral = 2.5;
 // Gentle loop of a wheel that hangs, in torque limits per rad/s (assumed).
@@ -33,11 +35,12 @@ constexpr double kSmallestRateCap = 0.3;
 // rate [1/s]; by how much [rad/s] and for how long [s] a wheel runs ahead when it slips, rather
 // than comes to an edge; and what it is then set to, over what the wheel gave (all assumed, no
 // ground is known).
-constexpr double kFirstFriction = 0.9;
+constexpr double kFirstFriction = 0.6;
+constexpr double kMostFriction = 0.9;  // when it stalls
 constexpr double kFrictionRecovery = 0.1;
 constexpr double kSlips = 0.3;
 constexpr double kSlipTime = 0.05;
-constexpr double kBelowSlip = 0.9;
+constexpr double kBelowSlip = 0.8;
 // A rover slower than this share of what is asked, for this time [s], is given all friction again.
 constexpr double kStalled = 0.2;
 constexpr double kStalledTime = 1.0;
@@ -54,7 +57,7 @@ class RollingController final : public Controller {
           rates_(static_cast<Eigen::Index>(wheels_.size())) {
         for (const mechanism::Wheel& wheel : wheels_) {
             mildGains_.push_back(
-                loopGain(kMildGain * wheel.torqueLimit, axleInertia(mechanism, wheel)));
+                loopGain(kHybridGain * wheel.torqueLimit, axleInertia(mechanism, wheel)));
         }
         reset();
     }
@@ -211,7 +214,7 @@ class RollingController final : public Controller {
             const double wanted = optimum_[i] + common * shareOf(i);
             out[i] = rolling(i);
             out[i].torque = std::clamp(wanted, -cap, cap);
-            out[i].proportional = kMildGain * wheels_[i].torqueLimit;
+            out[i].proportional = kHybridGain * wheels_[i].torqueLimit;
             held_ = held_ && std::abs(wanted) >= cap;
             given_[i] = out[i].torque;
         }
@@ -219,7 +222,8 @@ class RollingController final : public Controller {
 
     /// A wheel that runs ahead of the ground gives what the ground holds, and less is asked then.
     void learnFriction(const Sensors& sensors, const DriveCommand& command) {
-        friction_ = std::min(kFirstFriction, friction_ + kFrictionRecovery * settings_.period);
+        friction_ = std::min(std::max(kFirstFriction, friction_),
+                             friction_ + kFrictionRecovery * settings_.period);
         const double asked = pace_ * command.speed;
         const double speed = std::abs(asked) > 1e-6 ? sensors.bodySpeed / asked : 0.0;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
@@ -241,7 +245,7 @@ class RollingController final : public Controller {
                        ? stalled_ + settings_.period
                        : 0.0;
         if (stalled_ > kStalledTime) {
-            friction_ = kFirstFriction;
+            friction_ = kMostFriction;
         }
     }
 

@@ -63,17 +63,24 @@ const Outcome* find(const std::vector<Outcome>& outcomes, const Case& what) {
     return found == outcomes.end() ? nullptr : &*found;
 }
 
-Comparison compareTwo(const Plan& plan, const std::vector<Outcome>& outcomes, double friction,
-                      project::ControllerKind controller, project::ControllerKind rival) {
+bool isAmong(Grounds grounds, const Outcome& outcome) {
+    const bool passable = outcome.staticFriction <= kPassable * outcome.ran.friction;
+    return grounds == Grounds::All || passable == (grounds == Grounds::Passable);
+}
+
+Comparison compareTwo(const Plan& plan, const std::vector<Outcome>& outcomes, Grounds grounds,
+                      double friction, project::ControllerKind controller,
+                      project::ControllerKind rival) {
     Comparison comparison;
     comparison.friction = friction;
+    comparison.grounds = grounds;
     comparison.controller = controller;
     comparison.rival = rival;
     std::vector<Pair> valid;
     for (int seed = plan.firstSeed; seed <= plan.lastSeed; ++seed) {
         const Pair pair{find(outcomes, {seed, friction, controller}),
                         find(outcomes, {seed, friction, rival})};
-        if (pair.own == nullptr || pair.rival == nullptr) {
+        if (pair.own == nullptr || pair.rival == nullptr || !isAmong(grounds, *pair.own)) {
             continue;
         }
         ++comparison.tried;
@@ -99,13 +106,28 @@ Comparison compareTwo(const Plan& plan, const std::vector<Outcome>& outcomes, do
 
 }  // namespace
 
+std::string toString(Grounds grounds) {
+    switch (grounds) {
+        case Grounds::Passable:
+            return "passable";
+        case Grounds::Beyond:
+            return "beyond";
+        case Grounds::All:
+            break;
+    }
+    return "all";
+}
+
 std::vector<Comparison> compare(const Plan& plan, const std::vector<Outcome>& outcomes) {
     std::vector<Comparison> comparisons;
-    for (const double friction : plan.frictions) {
-        for (const project::ControllerKind controller : plan.controllers) {
-            for (const project::ControllerKind rival : plan.controllers) {
-                if (rival != controller) {
-                    comparisons.push_back(compareTwo(plan, outcomes, friction, controller, rival));
+    for (const Grounds grounds : {Grounds::All, Grounds::Passable, Grounds::Beyond}) {
+        for (const double friction : plan.frictions) {
+            for (const project::ControllerKind controller : plan.controllers) {
+                for (const project::ControllerKind rival : plan.controllers) {
+                    if (rival != controller) {
+                        comparisons.push_back(
+                            compareTwo(plan, outcomes, grounds, friction, controller, rival));
+                    }
                 }
             }
         }

@@ -1,14 +1,29 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "simcore/experiment/experiment.h"
 
 namespace simcore::experiment {
 
+/// Which grounds are compared: above the friction that statics requires, no controller can pass for
+/// sure.
+enum class Grounds {
+    All,
+    Passable,  ///< required friction at most kPassable of the ground's
+    Beyond,    ///< all others
+};
+
+inline constexpr double kPassable = 0.9;
+
+/// "all" | "passable" | "beyond".
+std::string toString(Grounds grounds);
+
 /// One controller against another at one coefficient of friction.
 struct Comparison {
     double friction = 0.0;
+    Grounds grounds = Grounds::All;
     project::ControllerKind controller = project::ControllerKind::Speed;
     project::ControllerKind rival = project::ControllerKind::Speed;
     int tried = 0;      ///< grounds that both were sent over
@@ -36,7 +51,8 @@ struct Comparison {
 /// On full terrain two rovers that end further apart did not drive the same way [m] (paper).
 inline constexpr double kSameEnd = 0.1;
 
-/// Every controller of the plan against every other one, at each friction. The interval is the
+/// Every controller of the plan against every other one, at each friction, on all grounds, then on
+/// the passable ones, then on the others. The interval is the
 /// percentile bootstrap of the mean logarithm (B. Efron, R. Tibshirani, An Introduction to the
 /// Bootstrap, 1993, chapter 13), 2000 samples drawn by a fixed seed.
 std::vector<Comparison> compare(const Plan& plan, const std::vector<Outcome>& outcomes);

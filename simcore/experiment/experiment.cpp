@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -79,6 +80,9 @@ Result<project::Project> projectOf(const project::Project& project, const Plan& 
     scenario.soil.rollingResistance = plan.rollingResistance;
     scenario.controller.kind = what.controller;
     scenario.controller.speed = plan.speed;
+    scenario.controller.assumedFriction = plan.assumedFriction;
+    scenario.controller.period = plan.controlPeriod;
+    scenario.sensors = sensorsWithNoise(plan.noise);
     scenario.run.engine = plan.engine;
     scenario.run.step = plan.step;
     scenario.run.distance = plan.distance;
@@ -86,6 +90,20 @@ Result<project::Project> projectOf(const project::Project& project, const Plan& 
     project::Project own = project;
     own.scenarios = {std::move(scenario)};
     return own;
+}
+
+project::Sensors sensorsWithNoise(double factor) {
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    project::Sensors sensors;
+    sensors.jointEncoder.noise = factor * 0.1 * kDegree;
+    sensors.wheelRate.noise = factor * 0.02;
+    sensors.orientation.noise = factor * 0.3 * kDegree;
+    sensors.angularRate.noise = factor * 0.01;
+    sensors.acceleration.noise = factor * 0.05;
+    sensors.tactileForce.noise = factor * 0.5;
+    sensors.tactileAngle.noise = factor * 2.0 * kDegree;
+    sensors.bodySpeed.noise = factor * 0.005;
+    return sensors;
 }
 
 Outcome notRun(const Case& what, std::string why) {

@@ -22,6 +22,9 @@ struct Plan {
     double speed = 0.1;               ///< [m/s], paper
     double distance = 3.5;            ///< of the chassis' origin, that ends a run [m], paper
     double rollingResistance = 0.02;  ///< [-] (assumed: compact ground)
+    double assumedFriction = 0.5;     ///< of the controllers' traction cap [-]; 0 = no cap
+    double controlPeriod = 0.01;      ///< [s]
+    double noise = 0.0;               ///< multiples of sensorsWithNoise()
     bool operator==(const Plan&) const = default;
 };
 
@@ -37,6 +40,7 @@ struct Case {
 struct Outcome {
     Case ran;
     bool completed = false;
+    double staticFriction = 0.0;  ///< GroundStatics::frictionRequired() of its ground [-]
     std::string stopReason;  ///< run::toString(), or why there was no run
     double slipAbs = 0.0, slipLoaded = 0.0, slipSigned = 0.0;  ///< sums of all wheels [m]
     double frictionWork = 0.0;                                 ///< at the contacts [J]
@@ -56,6 +60,11 @@ Result<project::Project> projectOf(const project::Project& project, const Plan& 
 
 /// Drives it, to its end. A case that cannot be prepared is an outcome, too, that did not complete.
 Outcome drive(const project::Project& project, const Plan& plan, const Case& what);
+
+/// Noise of cheap sensors, times a factor (assumed: encoders 0.1 deg, wheel rates 0.02 rad/s,
+/// inclination 0.3 deg, rates 0.01 rad/s, acceleration 0.05 m/s^2, tactile force 0.5 N and angle
+/// 2 deg, body speed 5 mm/s).
+project::Sensors sensorsWithNoise(double factor);
 
 /// Outcome of a case that has no run of its own to tell.
 Outcome notRun(const Case& what, std::string why);

@@ -20,6 +20,7 @@ using Json = nlohmann::ordered_json;
 
 /// The numbers of an outcome and what they are called.
 constexpr std::pair<const char*, double Outcome::*> kNumbers[] = {
+    {"mu_static", &Outcome::staticFriction},
     {"slip_abs_m", &Outcome::slipAbs},
     {"slip_loaded_m", &Outcome::slipLoaded},
     {"slip_signed_m", &Outcome::slipSigned},
@@ -62,6 +63,7 @@ Json toJson(const Outcome& outcome) {
 Json toJson(const Comparison& comparison) {
     Json json;
     json["mu"] = comparison.friction;
+    json["grounds"] = toString(comparison.grounds);
     json["controller"] = project::nameOf(comparison.controller);
     json["rival"] = project::nameOf(comparison.rival);
     json["tried"] = comparison.tried;
@@ -95,6 +97,9 @@ Json toJson(const Plan& plan) {
     json["speed_m_s"] = plan.speed;
     json["distance_m"] = plan.distance;
     json["rolling_resistance"] = plan.rollingResistance;
+    json["assumed_mu"] = plan.assumedFriction;
+    json["control_period_s"] = plan.controlPeriod;
+    json["noise"] = plan.noise;
     return json;
 }
 
@@ -138,6 +143,9 @@ Plan planFrom(const nlohmann::json& json) {
     plan.speed = json.at("speed_m_s").get<double>();
     plan.distance = json.at("distance_m").get<double>();
     plan.rollingResistance = json.at("rolling_resistance").get<double>();
+    plan.assumedFriction = json.at("assumed_mu").get<double>();
+    plan.controlPeriod = json.at("control_period_s").get<double>();
+    plan.noise = json.at("noise").get<double>();
     return plan;
 }
 
@@ -235,7 +243,7 @@ Json toJson(const Plan& plan, const std::vector<Outcome>& outcomes,
 
 std::string runsTable(const std::vector<Outcome>& outcomes) {
     std::string text =
-        "seed,mu [-],controller,completed,stop_reason,slip_abs [m],slip_loaded [m],slip_signed [m],"
+        "seed,mu [-],controller,completed,stop_reason,mu_static [-],slip_abs [m],slip_loaded [m],slip_signed [m],"
         "friction_work [J],energy [J],peak_torque [N m],end_x [m],end_y [m]\n";
     for (const Outcome& outcome : outcomes) {
         text += fmt::format("{},{},{},{},{}", outcome.ran.seed, cell(outcome.ran.friction),
@@ -250,13 +258,13 @@ std::string runsTable(const std::vector<Outcome>& outcomes) {
 }
 
 std::string summaryTable(const std::vector<Comparison>& comparisons) {
-    std::string text = "mu [-],controller,rival,tried,pairs,valid,only_controller,only_rival";
+    std::string text = "mu [-],grounds,controller,rival,tried,pairs,valid,only_controller,only_rival";
     for (const auto& [prefix, member] : kMeasures) {
         text += fmt::format(",{0}wins,{0}mean_ratio [-],{0}ci95_low [-],{0}ci95_high [-]", prefix);
     }
     text += "\n";
     for (const Comparison& c : comparisons) {
-        text += fmt::format("{},{},{},{},{},{},{},{}", cell(c.friction),
+        text += fmt::format("{},{},{},{},{},{},{},{},{}", cell(c.friction), toString(c.grounds),
                             project::nameOf(c.controller), project::nameOf(c.rival), c.tried,
                             c.pairs, c.valid, c.onlyOwn, c.onlyRival);
         for (const auto& [prefix, member] : kMeasures) {

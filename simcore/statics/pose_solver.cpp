@@ -4,9 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
+#include <numeric>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 #include "simcore/dynamics/engine.h"
 #include "simcore/mobility/stance.h"
@@ -35,6 +38,14 @@ constexpr double kLeastMetric = 1e-5;
 /// A rover is lowered without the curvature of its energy, which only hanging parts need.
 constexpr int kStraightSteps = 4;
 constexpr double kUpright = 0.25;  ///< cosine of the chassis' tilt, beyond it has tipped over
+/// Rows of what holds the rover: along its course, across it, its heading.
+constexpr Eigen::Index kHeld = 3;
+/// Share of the largest pivot below which a row depends on the others.
+constexpr double kDependent = 1e-6;
+constexpr double kPress = 0.3;  ///< in weights (assumed: less than what wheels carry)
+/// Depths that differ by less are alike [m]: more than what counts as touching.
+constexpr double kAlike = 2e-5;
+constexpr double kSameFace = 0.999;  ///< cosine between normals of one face, or on one edge
 /// Contacts of one wheel whose normals are this alike are one foothold (cosine of 20 deg).
 constexpr double kOnePlace = 0.94;
 
@@ -49,6 +60,10 @@ double smallestRadius(const mechanism::Mechanism& mechanism) {
 double headingOf(const Pose& chassis) {
     const Vec3 forward = chassis.rotation * Vec3::UnitX();
     return std::atan2(forward.y(), forward.x());
+}
+
+Vec3 leftOf(double heading) {
+    return {-std::sin(heading), std::cos(heading), 0.0};
 }
 
 }  // namespace
@@ -157,27 +172,123 @@ StandingPose PoseSolver::settleFrom(const dynamics::TreeState& state, const Plac
     return solve(state, held);
 }
 
-StandingPose PoseSolver::roll(const StandingPose& from, double way) {
+StandingPose PoseSolver::roll(const StandingPose& from, double way, bool backwards) {
     Held held;
     held.what = Held::What::Way;
     held.way = way;
     const Pose& chassis = from.bodies[static_cast<std::size_t>(mechanism().chassis)];
     held.place = {chassis.position.x(), chassis.position.y(), headingOf(chassis)};
-    for (std::size_t i = 0; i < from.footholds.size(); ++i) {
-        const Contact& contact = from.footholds[i].contact;
-        const bool first = i == 0 || from.footholds[i - 1].contact.wheel != contact.wheel;
-        const bool last = i + 1 == from.footholds.size() ||
-                          from.footholds[i + 1].contact.wheel != contact.wheel;
-        if (way >= 0.0 ? last : first) {
-            held.along.push_back(contact);
-        }
-    }
+    held.along = rollingAlong(from, backwards);
     if (held.along.empty()) {
         StandingPose hangs = from;
         hangs.standing = Standing::NoGround;
         return hangs;
     }
-    return solve(from.state, held);
+    held.course = courseFrom(from, held.along, backwards);
+    StandingPose result = solve(from.state, held);
+    result.course.resize(mechanism().wheels.size());
+    for (std::size_t i = 0; i < result.course.size(); ++i) {
+        const mechanism::Wheel& wheel = mechanism().wheels[i];
+        const auto body = static_cast<std::size_t>(wheel.body);
+        result.course[i] = result.bodies[body] * wheel.center - from.bodies[body] * wheel.center;
+    }
+    return result;
+}
+
+/// The directions in which the wheels' centres move on when they roll along these contacts, their
+/// mean length 1.
+std::vector<Vec3> PoseSolver::courseFrom(const StandingPose& from,
+                                         const std::vector<Contact>& along, bool backwards) {
+    const mechanism::Mechanism& mechanism = model_.mechanism();
+    dynamics::TreeState state = from.state;
+    model_.place(state);
+    const std::vector<Pose>& poses = model_.poses();
+    const Eigen::Index n = model_.motions();
+    const auto rowOf = [&](const Contact& contact, const Vec3& direction) {
+        return model_.workOf(mechanism.wheels[static_cast<std::size_t>(contact.wheel)].body,
+                             direction, contact.point);
+    };
+    const auto centerRow = [&](std::size_t i, const Vec3& direction) {
+        const mechanism::Wheel& wheel = mechanism.wheels[i];
+        return model_.workOf(wheel.body, direction,
+                             poses[static_cast<std::size_t>(wheel.body)] * wheel.center);
+    };
+    MatrixXd metric = model_.inertia();
+    metric.diagonal().array() += 1e-9 * metric.diagonal().maxCoeff();
+    // Contacts hold far more firmly than inertia; where they contradict each other, as best they can.
+    constexpr double kFirmly = 1e6;
+    RowVectorXd on = RowVectorXd::Zero(n);
+    for (const Contact& contact : along) {
+        const RowVectorXd row = rowOf(contact, contact.normal);
+        metric += kFirmly * mechanism.mass() * row.transpose() * row;
+        const auto i = static_cast<std::size_t>(contact.wheel);
+        on += centerRow(i, (backwards ? -1.0 : 1.0) * contact.forward);
+    }
+    const double moved = from.course.empty() ? 0.0
+                                             : std::accumulate(from.course.begin(),
+                                                               from.course.end(), 0.0,
+                                                               [](double sum, const Vec3& v) {
+                                                                   return sum + v.norm();
+                                                               });
+    if (moved > kStill) {
+        on.setZero();
+        for (std::size_t i = 0; i < from.course.size(); ++i) {
+            on += centerRow(i, from.course[i] / moved);
+        }
+    }
+    const Pose& chassis = poses[static_cast<std::size_t>(mechanism.chassis)];
+    MatrixXd rows(3, n);
+    rows.row(0) = on;
+    rows.row(1) = model_.workOf(mechanism.chassis, leftOf(headingOf(chassis)), chassis.position);
+    rows.row(2) = headingRow(chassis);
+    const VectorXd motion =
+        minimise({metric, VectorXd::Zero(n), rows, VectorXd::Unit(3, 0), 3}).x;
+    // What a wheel leaves opens; so a wheel at a wall goes up it, even if that moves the rover back.
+    double opening = 0.0;
+    for (const Foothold& foothold : from.footholds) {
+        const Contact& contact = foothold.contact;
+        const bool kept = std::any_of(along.begin(), along.end(), [&](const Contact& of) {
+            return of.wheel == contact.wheel && of.point == contact.point;
+        });
+        opening += kept ? 0.0 : rowOf(contact, contact.normal).dot(motion);
+    }
+    std::vector<Vec3> course;
+    double length = 0.0;
+    for (std::size_t i = 0; i < mechanism.wheels.size(); ++i) {
+        Vec3 direction;
+        for (int k = 0; k < 3; ++k) {
+            direction[k] = centerRow(i, Vec3::Unit(k)).dot(motion);
+        }
+        length += direction.norm() / static_cast<double>(mechanism.wheels.size());
+        course.push_back(direction);
+    }
+    for (Vec3& direction : course) {
+        direction *= (opening < 0.0 ? -1.0 : 1.0) / length;
+    }
+    return course;
+}
+
+/// Of every wheel that touches the foremost foothold, or the rearmost.
+std::vector<Contact> rollingAlong(const StandingPose& pose, bool backwards) {
+    std::vector<Contact> contacts;
+    for (std::size_t i = 0; i < pose.footholds.size(); ++i) {
+        const int wheel = pose.footholds[i].contact.wheel;
+        const bool first = i == 0 || pose.footholds[i - 1].contact.wheel != wheel;
+        const bool last = i + 1 == pose.footholds.size() ||
+                          pose.footholds[i + 1].contact.wheel != wheel;
+        if (backwards ? first : last) {
+            contacts.push_back(pose.footholds[i].contact);
+        }
+    }
+    return contacts;
+}
+
+/// How the heading turns with the chassis.
+RowVectorXd PoseSolver::headingRow(const Pose& chassis) const {
+    const Vec3 forward = chassis.rotation * Vec3::UnitX();
+    const double level = forward.head<2>().squaredNorm();
+    return model_.workOfMoment(model_.mechanism().chassis,
+                               (Vec3::UnitZ() - forward.z() * forward) / level);
 }
 
 /// The program of one step at the pose placed last; its metric comes last.
@@ -195,48 +306,42 @@ void PoseSolver::assemble(const Held& held) {
         }
     }
     const Eigen::Index n = model_.motions();
-    const auto rows = static_cast<Eigen::Index>(3 + contacts_.size() + stops_.size());
+    const auto rows = kHeld + static_cast<Eigen::Index>(contacts_.size() + stops_.size());
     program_.right = model_.loads(dynamics::kGravity);
     program_.rows.resize(rows, n);
     program_.bounds.resize(rows);
-    program_.equations = 3;
+    program_.equations = kHeld;
 
     const int c = mechanism.chassis;
     const Pose& chassis = poses[static_cast<std::size_t>(c)];
-    const Vec3 forward = chassis.rotation * Vec3::UnitX();
     const Vec3 ahead(std::cos(held.place.heading), std::sin(held.place.heading), 0.0);
-    const Vec3 left = Vec3::UnitZ().cross(ahead);
+    const Vec3 left = leftOf(held.place.heading);
     const Vec3 away = Vec3(held.place.x, held.place.y, 0.0) - chassis.position;
     if (held.what == Held::What::Position) {
         program_.rows.row(0) = model_.workOf(c, ahead, chassis.position);
         program_.bounds[0] = ahead.dot(away);
     } else {
         RowVectorXd way = RowVectorXd::Zero(n);
-        for (const Contact& along : held.along) {
-            const mechanism::Wheel& wheel =
-                mechanism.wheels[static_cast<std::size_t>(along.wheel)];
-            way += model_.workOf(wheel.body, along.forward,
+        double square = 0.0;
+        for (std::size_t i = 0; i < held.course.size(); ++i) {
+            const mechanism::Wheel& wheel = mechanism.wheels[i];
+            way += model_.workOf(wheel.body, held.course[i],
                                  poses[static_cast<std::size_t>(wheel.body)] * wheel.center);
+            square += held.course[i].squaredNorm();
         }
-        program_.rows.row(0) = way / static_cast<double>(held.along.size());
+        program_.rows.row(0) = way / square;
         program_.bounds[0] = held.way;
     }
     program_.rows.row(1) = model_.workOf(c, left, chassis.position);
     program_.bounds[1] = left.dot(away);
-    // How the forward axis, seen from above, turns with the chassis.
-    const double level = forward.head<2>().squaredNorm();
-    program_.rows.row(2) =
-        model_.workOfMoment(c, (Vec3::UnitZ() - forward.z() * forward) / level);
-    program_.bounds[2] = std::remainder(held.place.heading - headingOf(chassis), 2.0 * M_PI);
+    program_.rows.row(2) = headingRow(chassis);
+    program_.bounds[2] = std::remainder(held.place.heading - headingOf(chassis), 2.0 * std::numbers::pi);
 
-    Eigen::Index row = 3;
+    Eigen::Index row = kHeld;
     for (const contact::Contact& contact : contacts_) {
         program_.rows.row(row) =
             model_.workOf(contact::bodyOf(contact, mechanism), contact.normal, contact.point);
         program_.bounds[row++] = contact.depth;
-    }
-    if (held.what == Held::What::Way) {
-        press(held.along);
     }
     for (const auto& [joint, sign] : stops_) {
         const mechanism::Joint& at = mechanism.joints[static_cast<std::size_t>(joint)];
@@ -244,34 +349,57 @@ void PoseSolver::assemble(const Held& held) {
         program_.rows.row(row) = sign * model_.workAboutJoint(at);
         program_.bounds[row++] = sign > 0.0 ? at.stops->first - angle : angle - at.stops->second;
     }
+    if (held.what == Held::What::Way) {
+        keepRolling(held.along);
+    }
     metric_ = model_.inertia();
     metric_.diagonal().array() += 1e-9 * metric_.diagonal().maxCoeff();
 }
 
-/// Wheels that roll stay on the ground: each is pressed against what it rolls along. Which wheel
-/// could not be held there is for the forces to say.
-void PoseSolver::press(const std::vector<Contact>& along) {
-    constexpr double kPress = 3.0;  // weights
-    const double force = kPress * model_.mechanism().mass() * dynamics::kGravity;
+/// Wheels that roll stay on the ground: what each rolls along becomes an equation. Which wheel could
+/// not be held there is for the forces to say. Where the wheels are more than the joints can set
+/// down, as four on a rigid frame, they are pressed on the ground instead.
+void PoseSolver::keepRolling(const std::vector<Contact>& along) {
+    std::vector<Eigen::Index> kept;
     for (const Contact& of : along) {
-        std::vector<Eigen::Index> rows;
-        double likest = 0.0;
+        // The nearest place of the wheel; of those that it touches alike, the one it rolls along.
+        Eigen::Index row = -1;
+        double best = -std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < contacts_.size(); ++i) {
-            const double like = contacts_[i].normal.dot(of.normal);
-            if (contacts_[i].wheel != of.wheel || like < likest - 1e-3) {
-                continue;
+            const bool same = contacts_[i].normal.dot(of.normal) > kSameFace;
+            const double score = contacts_[i].depth + (same ? kAlike : 0.0);
+            if (contacts_[i].wheel == of.wheel && score > best) {
+                row = kHeld + static_cast<Eigen::Index>(i);
+                best = score;
             }
-            if (like > likest + 1e-3) {
-                rows.clear();
-                likest = like;
-            }
-            rows.push_back(3 + static_cast<Eigen::Index>(i));
         }
-        for (const Eigen::Index row : rows) {
-            program_.right -=
-                force / static_cast<double>(rows.size()) * program_.rows.row(row).transpose();
+        if (row >= 0) {
+            kept.push_back(row);
         }
     }
+    const auto count = static_cast<Eigen::Index>(kept.size());
+    MatrixXd rows(kHeld + count, program_.rows.cols());
+    VectorXd bounds(kHeld + count);
+    rows.topRows(kHeld) = program_.rows.topRows(kHeld);
+    bounds.head(kHeld) = program_.bounds.head(kHeld);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        rows.row(kHeld + i) = program_.rows.row(kept[static_cast<std::size_t>(i)]);
+        bounds[kHeld + i] = program_.bounds[kept[static_cast<std::size_t>(i)]];
+    }
+    Eigen::ColPivHouseholderQR<MatrixXd> qr(rows.transpose());
+    qr.setThreshold(kDependent);
+    if (qr.rank() < rows.rows()) {
+        const double force = kPress * model_.mechanism().mass() * dynamics::kGravity;
+        program_.right -= force * rows.bottomRows(count).colwise().sum().transpose();
+        return;
+    }
+    MatrixXd all(program_.rows.rows() + count, program_.rows.cols());
+    all << rows, program_.rows.bottomRows(program_.rows.rows() - kHeld);
+    VectorXd allBounds(all.rows());
+    allBounds << bounds, program_.bounds.tail(program_.bounds.size() - kHeld);
+    program_.rows = std::move(all);
+    program_.bounds = std::move(allBounds);
+    program_.equations = static_cast<int>(kHeld + count);
 }
 
 /// The curvature of the energy by differences of the loads, at the pose of `state`.
@@ -343,7 +471,7 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
             }
         }
         VectorXd amounts = minimise(program_).x;
-        double move = 0.0;
+            double move = 0.0;
         for (const mechanism::Wheel& wheel : mechanism.wheels) {
             const Vec3 center = model_.poses()[static_cast<std::size_t>(wheel.body)] * wheel.center;
             for (int k = 0; k < 3; ++k) {
@@ -430,7 +558,7 @@ void PoseSolver::describe(StandingPose& result) const {
               [](const Foothold& a, const Foothold& b) {
                   return std::pair(a.contact.wheel, a.angle) < std::pair(b.contact.wheel, b.angle);
               });
-    Eigen::Index row = 3 + static_cast<Eigen::Index>(contacts_.size());
+    Eigen::Index row = program_.bounds.size() - static_cast<Eigen::Index>(stops_.size());
     for (const auto& [joint, sign] : stops_) {
         if (program_.bounds[row++] > -1e-7) {
             result.jointsAtStop.push_back(joint);

@@ -47,8 +47,13 @@ struct StandingPose {
     std::vector<int> jointsAtStop;
     double potential = 0.0;  ///< of weight and springs [J]
     double clearance = 0.0;  ///< least distance of a body that is no wheel from the ground [m]
+    std::vector<Vec3> course;  ///< by which each wheel's centre came here when it rolled [m]
     int iterations = 0;
 };
+
+/// Of every wheel that touches the foremost foothold (the rearmost when it rolls backwards), which
+/// it rolls along. Where a wheel stands against something and on the floor, the floor lets go.
+std::vector<Contact> rollingAlong(const StandingPose& pose, bool backwards = false);
 
 /// Finds how a rover stands: the least energy of weight and springs among all poses in which nothing
 /// is under ground and no joint beyond its stops. Wheels slide without friction meanwhile, and the
@@ -67,10 +72,11 @@ class PoseSolver {
     /// From a state near the place.
     StandingPose settleFrom(const dynamics::TreeState& state, const Place& place);
 
-    /// Rolls on from a pose that stands: heading and course are held, the wheels advance along the
-    /// ground by `way` on average [m], each along the foremost place that it touches (the rearmost
-    /// when `way` is negative). So a wheel climbs a wall while the chassis hardly moves.
-    StandingPose roll(const StandingPose& from, double way);
+    /// Rolls on from a pose that stands: heading and course are held, the wheels' centres move by
+    /// `way` on average [m], each wheel along the foremost place that it touches (the rearmost when
+    /// it rolls backwards). So a wheel climbs a wall while the chassis hardly moves. Goes on in the
+    /// sense in which it came: by arc length, not by the chassis.
+    StandingPose roll(const StandingPose& from, double way, bool backwards = false);
 
     const mechanism::Mechanism& mechanism() const { return model_.mechanism(); }
 
@@ -83,11 +89,15 @@ class PoseSolver {
         Place place;
         double way = 0.0;  ///< left to go
         std::vector<Contact> along;
+        std::vector<Vec3> course;  ///< of the wheels' centres, mean length 1
     };
 
     StandingPose solve(dynamics::TreeState state, Held held);
     void assemble(const Held& held);
-    void press(const std::vector<Contact>& along);
+    std::vector<Vec3> courseFrom(const StandingPose& from, const std::vector<Contact>& along,
+                                 bool backwards);
+    Eigen::RowVectorXd headingRow(const Pose& chassis) const;
+    void keepRolling(const std::vector<Contact>& along);
     void bend(const dynamics::TreeState& state);
     Eigen::MatrixXd convexPart() const;
     void describe(StandingPose& result) const;

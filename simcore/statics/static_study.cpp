@@ -205,25 +205,11 @@ double tipOverAngle(const Vec3& centerOfMass, std::span<const Contact> contacts)
     return least;
 }
 
-std::vector<Contact> impending(const StandingPose& pose, bool backwards) {
-    std::vector<Contact> contacts;
-    for (std::size_t i = 0; i < pose.footholds.size(); ++i) {
-        const int wheel = pose.footholds[i].contact.wheel;
-        const bool first = i == 0 || pose.footholds[i - 1].contact.wheel != wheel;
-        const bool last = i + 1 == pose.footholds.size() ||
-                          pose.footholds[i + 1].contact.wheel != wheel;
-        if (backwards ? first : last) {
-            contacts.push_back(pose.footholds[i].contact);
-        }
-    }
-    return contacts;
-}
-
 Study studyPose(StaticModel& model, const StandingPose& pose, std::optional<ContactSet> contacts,
                 bool backwards, bool searched) {
     dynamics::TreeState state = pose.state;
     model.place(state);
-    Study study = studyContacts(model, impending(pose, backwards), contacts, searched);
+    Study study = studyContacts(model, rollingAlong(pose, backwards), contacts, searched);
     // What carries the body is no wheel's to hold.
     study.feasible = study.feasible && pose.bodiesTouching.empty();
     for (const int body : pose.bodiesTouching) {

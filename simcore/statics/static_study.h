@@ -55,10 +55,6 @@ struct Study {
 /// that no engine could run, no wheels.
 Result<Study> studyDrawnPose(const mechanism::Mechanism& mechanism, const StudyRequest& request);
 
-/// Where a wheel stands against something ahead and on the floor, the floor lets go when it begins
-/// to move: of every wheel the foremost foothold (the rearmost when it begins backwards).
-std::vector<Contact> impending(const StandingPose& pose, bool backwards = false);
-
 /// At a pose that a rover has taken up.
 /// @param searched  also look for the least torques
 Study studyPose(StaticModel& model, const StandingPose& pose, std::optional<ContactSet> contacts,

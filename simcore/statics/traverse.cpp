@@ -18,7 +18,7 @@ constexpr double kRollsInVain = 6.0;
 /// So many samples on so little way [radii]: wheels that meet and leave by turns.
 constexpr std::size_t kBlock = 40;
 constexpr double kBlockWay = 0.05;
-constexpr std::size_t kMostSamples = 200000;
+constexpr std::size_t kMostSamples = 20000;
 
 /// The footholds of one wheel.
 struct Stand {
@@ -89,7 +89,7 @@ class Creep {
                 result.end = TraverseEnd::Stuck;
                 return result;
             }
-            StandingPose next = solver_.roll(pose, sign_ * step);
+            StandingPose next = solver_.roll(pose, step, request_.backwards);
             if (result.samples.size() >= blockFirst + kBlock) {
                 if (way - blockWay < kBlockWay * radius_) {
                     next = beyond(pose);
@@ -115,7 +115,7 @@ class Creep {
                 StandingPose last = pose;
                 while (after - before > kLocated) {
                     const double middle = 0.5 * (before + after);
-                    StandingPose tried = solver_.roll(pose, sign_ * middle);
+                    StandingPose tried = solver_.roll(pose, middle, request_.backwards);
                     (same(pose, tried) ? before : after) = middle;
                     (before == middle ? last : next) = std::move(tried);
                 }
@@ -167,10 +167,16 @@ class Creep {
 
     /// Where the wheels cannot roll on together: the rover a little further on.
     StandingPose beyond(const StandingPose& pose) {
-        constexpr double kLittle = 0.05;  // radii
-        const double distance = distanceOf(pose) + kLittle * radius_;
-        const Vec3 at = Vec3(request_.from.x, request_.from.y, 0.0) + sign_ * distance * ahead_;
-        return solver_.settleFrom(pose.state, {at.x(), at.y(), request_.from.heading});
+        StandingPose next;
+        for (const double little : {0.05, 0.2, 0.6}) {  // radii
+            const double distance = distanceOf(pose) + little * radius_;
+            const Vec3 at = Vec3(request_.from.x, request_.from.y, 0.0) + sign_ * distance * ahead_;
+            next = solver_.settleFrom(pose.state, {at.x(), at.y(), request_.from.heading});
+            if (next.standing == Standing::Stands) {
+                break;
+            }
+        }
+        return next;
     }
 
     /// Whether the same wheels touch with as many places, no body and no stop besides.
