@@ -22,6 +22,8 @@ using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
 constexpr int kMaxIterations = 300;
+/// Of a roll, which begins next to where it ends.
+constexpr int kMaxRollIterations = 60;
 /// A pose is found when no wheel moves further in one more step [m].
 constexpr double kStill = 1e-10;
 /// What the contact finder tells apart where triangles meet: a pose may go on to change by this [m].
@@ -446,7 +448,9 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
     const double start = stiffness;
     const double least = kLeastMetric * stiffness;
     double lastMove = std::numeric_limits<double>::infinity();
-    for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    const int most =
+        held.what == Held::What::Way ? kMaxRollIterations : kMaxIterations;
+    for (int iteration = 0; iteration < most; ++iteration) {
         result.iterations = iteration + 1;
         if (!model_.place(state)) {
             result.standing = Standing::LoopOpens;

@@ -385,6 +385,19 @@ double Traction::heaviest() const {
     return kMostRovers * load_ * static_cast<double>(wheelOf_.size());
 }
 
+Forces Traction::under(const std::vector<double>& torques) const {
+    const VectorXd given =
+        VectorXd::Map(torques.data(), static_cast<Eigen::Index>(torques.size()));
+    VectorXd unknowns = VectorXd::Zero(some_.size());
+    unknowns.head(withoutTorque_.size()) = withoutTorque_ + perTorque_ * given;
+    for (std::size_t w = 0; w < radii_.size(); ++w) {
+        if (equilibrium_.torque[w] >= 0) {
+            unknowns[equilibrium_.torque[w]] = torques[w];
+        }
+    }
+    return forcesOf(unknowns);
+}
+
 bool Traction::allowed(const Forces& forces) const {
     for (std::size_t w = 0; w < forces.torque.size(); ++w) {
         if (std::abs(forces.torque[w]) > torqueLimits_[w] * (1.0 + 1e-9)) {

@@ -74,6 +74,10 @@ class Traction {
     /// there are no such torques.
     Solution best(Objective objective, double tolerance = 1e-8) const;
 
+    /// The forces at the contacts when the wheels have these torques, one a wheel; least in norm where
+    /// the contact set leaves some open, nearest to balance where these torques do not hold the rover.
+    Forces under(const std::vector<double>& torques) const;
+
     /// Largest part of M U - R over the largest of R [-].
     double residual(const Forces& forces) const;
 

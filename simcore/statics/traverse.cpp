@@ -13,12 +13,13 @@ constexpr double kLocated = 1e-7;
 constexpr double kJump = 0.35;
 /// The shortest step, in radii of a wheel.
 constexpr double kShortest = 1e-4;
-/// The rover is stuck when its wheels roll this much without it [radii].
+/// The rover is stuck when its wheels roll this much without it [radii], or so many samples.
 constexpr double kRollsInVain = 6.0;
 /// So many samples on so little way [radii]: wheels that meet and leave by turns.
 constexpr std::size_t kBlock = 40;
 constexpr double kBlockWay = 0.05;
-constexpr std::size_t kMostSamples = 20000;
+constexpr std::size_t kSamplesInVain = 200;
+constexpr double kGetsOn = 1e-3;  ///< that counts as going on, in radii
 
 /// The footholds of one wheel.
 struct Stand {
@@ -61,6 +62,7 @@ class Creep {
         double way = 0.0;
         double farthest = distanceOf(pose);
         double wayAtFarthest = 0.0;
+        std::size_t samplesAtFarthest = 0;
         const auto take = [&](std::vector<std::string> events) {
             TraverseSample sample;
             sample.way = way;
@@ -84,8 +86,8 @@ class Creep {
         std::size_t blockFirst = 0;
         double blockWay = 0.0;
         while (distanceOf(pose) < request_.distance) {
-            if (result.samples.size() > kMostSamples ||
-                way - wayAtFarthest > kRollsInVain * radius_) {
+            if (way - wayAtFarthest > kRollsInVain * radius_ ||
+                result.samples.size() > samplesAtFarthest + kSamplesInVain) {
                 result.end = TraverseEnd::Stuck;
                 return result;
             }
@@ -147,9 +149,10 @@ class Creep {
                     step = std::min(1.5 * step, request_.step * radius_);
                 }
             }
-            if (distanceOf(pose) > farthest + 1e-9) {
+            if (distanceOf(pose) > farthest + kGetsOn * radius_) {
                 farthest = distanceOf(pose);
                 wayAtFarthest = way;
+                samplesAtFarthest = result.samples.size();
             }
             if (!take(std::move(events))) {
                 result.end = TraverseEnd::Stopped;

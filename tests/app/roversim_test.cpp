@@ -1,6 +1,7 @@
 // The real program, run as a user or a script would.
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -96,6 +97,10 @@ TEST_F(RoversimTest, WrongUseIsTwoAndSaysSoOnStderr) {
           "run --scenario flat --engine bullet " + shipped("solero"),
           "statics --contact front " + shipped("solero"),
           "statics --contact front=steep " + shipped("solero"),
+          "statics --pose settled " + shipped("solero"), "statics --along " + shipped("solero"),
+          "statics --scenario step " + shipped("solero"),
+          "statics --scenario step --along --contact front=90 " + shipped("solero"),
+          "statics --climb 0 " + shipped("solero"),
           "statics --contacts 15 " + shipped("solero"), std::string("reproduce moons"),
           std::string("reproduce profiles --seeds 5..1"), std::string("reproduce profiles --mu 0"),
           std::string("reproduce profiles --controllers manual")}) {
@@ -160,6 +165,46 @@ TEST_F(RoversimTest, MobilityTellsMovedPoseLoopsAndReactions) {
     const Outcome table = roversim("mobility " + file);
     EXPECT_THAT(table.out, HasSubstr("yields only"));
     EXPECT_THAT(table.out, HasSubstr("inconsistent: pin_a slide"));
+}
+
+TEST_F(RoversimTest, StaticsOnAScenariosGround) {
+    const Outcome settled = roversim("statics --json --scenario step --pose settled --x 0.3 " +
+                                     shipped("solero"));
+    ASSERT_EQ(settled.code, 0) << settled.err;
+    const json standing = json::parse(settled.out);
+    EXPECT_EQ(standing.at("pose").at("standing"), "stands");
+    EXPECT_NEAR(standing.at("pose").at("x_m").get<double>(), 0.3, 1e-9);
+    EXPECT_EQ(standing.at("pose").at("footholds").size(), 6U);
+    EXPECT_LT(standing.at("optimal").at("mu_required").get<double>(), 1e-6);
+
+    const std::string table = (folder_ / "along.csv").string();
+    const Outcome along = roversim("statics --json --scenario step --along --csv '" + table +
+                                   "' " + shipped("solero"));
+    ASSERT_EQ(along.code, 0) << along.err;
+    const json way = json::parse(along.out);
+    EXPECT_EQ(way.at("end"), "arrived");
+    EXPECT_GT(way.at("mu_required").get<double>(), 0.5);
+    EXPECT_GE(way.at("events").size(), 8U);
+    std::ifstream in(table);
+    std::string line;
+    std::size_t rows = 0;
+    std::ptrdiff_t commas = 0;
+    while (std::getline(in, line)) {
+        const auto count = std::count(line.begin(), line.end(), ',');
+        commas = rows == 0 ? count : commas;
+        EXPECT_EQ(count, commas) << line;
+        ++rows;
+    }
+    EXPECT_EQ(rows, way.at("samples").get<std::size_t>() + 1);
+}
+
+TEST_F(RoversimTest, StaticsTellsWhatARoverClimbs) {
+    const Outcome outcome = roversim("statics --json --climb 0.4 " + shipped("solero"));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json can = json::parse(outcome.out);
+    EXPECT_NEAR(can.at("forwards").at("slope_deg").get<double>(), 21.80, 0.05);
+    EXPECT_GT(can.at("forwards").at("step_m").get<double>(), 0.01);
+    EXPECT_GT(can.at("backwards").at("stair_m").get<double>(), 0.005);
 }
 
 // Dimensions do not change the counts; a value outside its range is refused with the range named.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "simcore/base/random.h"
@@ -61,11 +63,30 @@ TEST(ComparisonTest, IsMirrored) {
         outcomes.push_back(outcome(seed, ControllerKind::Speed, 0.3 - 0.02 * seed));
     }
     const std::vector<Comparison> both = compare(planOf(TerrainSet::Profiles, 9), outcomes);
-    ASSERT_EQ(both.size(), 2U);
+    ASSERT_EQ(both.size(), 3U * 2U);  // on all grounds, passable ones, others
     EXPECT_EQ(both[0].slip.wins + both[1].slip.wins, 9);
     EXPECT_NEAR(both[0].slip.meanRatio * both[1].slip.meanRatio, 1.0, 1e-12);
     EXPECT_LT(both[0].slip.low, both[0].slip.meanRatio);
     EXPECT_GT(both[0].slip.high, both[0].slip.meanRatio);
+}
+
+// At 0.5, grounds that ask for up to 0.45 are passable.
+TEST(ComparisonTest, GroundsAreSplitByWhatStaticsRequires) {
+    std::vector<Outcome> outcomes;
+    for (int seed = 1; seed <= 6; ++seed) {
+        for (const ControllerKind controller :
+             {ControllerKind::EqualTorque, ControllerKind::Speed}) {
+            outcomes.push_back(outcome(seed, controller, 0.1 * seed));
+            outcomes.back().staticFriction =
+                seed == 6 ? std::numeric_limits<double>::infinity() : 0.1 * seed;
+        }
+    }
+    for (const Comparison& found : compare(planOf(TerrainSet::Profiles, 6), outcomes)) {
+        const int expected = found.grounds == Grounds::All        ? 6
+                             : found.grounds == Grounds::Passable ? 4
+                                                                  : 2;
+        EXPECT_EQ(found.pairs, expected) << toString(found.grounds);
+    }
 }
 
 // A run that is stuck has no slip worth comparing.

@@ -1,7 +1,10 @@
 #include "simcore/experiment/experiment.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "simcore/experiment/ground_statics.h"
 #include "simcore/io/experiment_json.h"
 #include "simcore/run/simulation.h"
 #include "tests/support/projects.h"
@@ -92,6 +95,7 @@ TEST(ExperimentJsonTest, LinesReadBack) {
     outcome.stopReason = "completed, \"so\"\nit is";
     outcome.slipAbs = 0.1 + 0.2;
     outcome.endY = -1e-17;
+    outcome.staticFriction = 0.4321;
     outcome.stateHash = "00ff";
     const std::string line = io::formatOutcome(outcome);
     EXPECT_EQ(line.find('\n'), std::string::npos);
@@ -101,6 +105,7 @@ TEST(ExperimentJsonTest, LinesReadBack) {
     EXPECT_EQ(back->stopReason, outcome.stopReason);
     EXPECT_EQ(back->slipAbs, outcome.slipAbs);
     EXPECT_EQ(back->endY, outcome.endY);
+    EXPECT_EQ(back->staticFriction, outcome.staticFriction);
     EXPECT_EQ(io::parseCase(io::formatCase(outcome.ran)), outcome.ran);
 
     const Plan plan = shortPlan(TerrainSet::Terrains);
@@ -118,4 +123,25 @@ TEST(ExperimentJsonTest, OtherTextIsNone) {
         EXPECT_FALSE(io::parseOutcome(text)) << text;
         EXPECT_FALSE(io::parsePlan(text)) << text;
     }
+}
+
+// A profile of seed 2 has steps up to a radius; the full terrain rolls, too.
+TEST(GroundStaticsTest, EveryGroundAsksForSomeFriction) {
+    const project::Project solero = testsupport::shipped("solero");
+    for (const TerrainSet set : {TerrainSet::Profiles, TerrainSet::Terrains}) {
+        Plan plan = shortPlan(set);
+        plan.distance = 3.5;
+        GroundStatics statics;
+        const double required = statics.frictionRequired(solero, plan, 2);
+        EXPECT_GT(required, 0.05);
+        EXPECT_LT(required, 1.5);
+        EXPECT_EQ(statics.frictionRequired(solero, plan, 2), required);
+    }
+    EXPECT_TRUE(std::isnan(
+        GroundStatics().frictionRequired(project::Project{}, shortPlan(TerrainSet::Profiles), 1)));
+}
+
+TEST(SensorNoiseTest, IsNoneWithoutAndGrowsWithItsFactor) {
+    EXPECT_EQ(sensorsWithNoise(0.0), project::Sensors{});
+    EXPECT_EQ(sensorsWithNoise(2.0).tactileForce.noise, project::Quantity(1.0));
 }

@@ -1,0 +1,212 @@
+#include "simcore/statics/pose_solver.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "simcore/dynamics/engine.h"
+#include "simcore/run/simulation.h"
+#include "simcore/statics/static_study.h"
+#include "tests/support/projects.h"
+#include "tests/support/rovers.h"
+
+using namespace simcore;
+using namespace simcore::statics;
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+terrain::Terrain slope(double angle) {
+    const double rise = 20.0 * std::tan(angle);
+    return terrain::Terrain::extruded({{-20.0, -rise}, {20.0, rise}}, -20.0, 20.0);
+}
+
+run::ResolvedRun prepared(const std::string& name, const std::string& scenario) {
+    run::RunRequest request;
+    request.scenario = scenario;
+    request.files.folder = testsupport::shippedFile(name).parent_path();
+    auto run = run::prepareRun(testsupport::shipped(name), request);
+    if (!run) {
+        throw std::runtime_error(toString(run.problems()));
+    }
+    return std::move(run).value();
+}
+
+/// From a wheel's rim to a polyline under it, < 0 inside.
+double gapTo(const std::vector<Eigen::Vector2d>& profile, const Vec3& center, double radius) {
+    const Eigen::Vector2d c(center.x(), center.z());
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+        const Eigen::Vector2d along = profile[i + 1] - profile[i];
+        const double share = std::clamp((c - profile[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        least = std::min(least, (profile[i] + share * along - c).norm());
+    }
+    return least - radius;
+}
+
+}  // namespace
+
+TEST(PoseSolverTest, LevelGroundKeepsTheDrawnPose) {
+    const terrain::Terrain ground = slope(0.0);
+    for (const std::string& name : testsupport::shippedNames()) {
+        const mechanism::Mechanism mechanism = testsupport::mechanismOf(name);
+        StaticModel model(mechanism, Model::Built);
+        PoseSolver solver(model, ground);
+        const StandingPose pose = solver.settle({0.3, -0.2, 0.7});
+        ASSERT_EQ(pose.standing, Standing::Stands) << name;
+        EXPECT_EQ(pose.footholds.size(), mechanism.wheels.size()) << name;
+        const Pose& chassis = pose.bodies[static_cast<std::size_t>(mechanism.chassis)];
+        EXPECT_NEAR(chassis.position.x(), 0.3, 1e-9) << name;
+        EXPECT_NEAR(chassis.position.y(), -0.2, 1e-9) << name;
+        EXPECT_NEAR(chassis.position.z(), 0.0, 1e-7) << name;
+        EXPECT_LT((chassis.rotation * Vec3::UnitX() - Vec3(std::cos(0.7), std::sin(0.7), 0.0)).norm(),
+                  1e-6)
+            << name;
+    }
+}
+
+// Along a slope, across it and at an angle to it the required friction is the tangent.
+TEST(PoseSolverTest, SlopesAskForTheirTangent) {
+    const mechanism::Mechanism solero = testsupport::mechanismOf("solero");
+    for (const double angle : {5.0, 10.0, 15.0}) {
+        const terrain::Terrain ground = slope(angle * kDegree);
+        for (const double heading : {0.0, 90.0, 30.0}) {
+            StaticModel model(solero, Model::Built);
+            PoseSolver solver(model, ground);
+            const StandingPose pose = solver.settle({0.0, 0.0, heading * kDegree});
+            ASSERT_EQ(pose.standing, Standing::Stands);
+            ASSERT_EQ(pose.footholds.size(), 6U);
+            const Study study = studyPose(model, pose, ContactSet::All);
+            ASSERT_TRUE(study.feasible);
+            EXPECT_NEAR(study.frictionRequired, std::tan(angle * kDegree), 1e-6)
+                << angle << " deg, heading " << heading;
+        }
+    }
+}
+
+// The gap of every wheel to the polyline, worked out anew; the rover stands wherever it is put.
+TEST(PoseSolverTest, StandsAnywhereOnRoughProfiles) {
+    for (const std::string name : {"solero", "shrimp", "rocker_bogie", "rocker_bogie_bar"}) {
+        const run::ResolvedRun run = prepared(name, "rough-profile");
+        StaticModel model(run.mechanism, Model::Built);
+        PoseSolver solver(model, *run.terrain);
+        for (double x = 0.0; x < 3.0; x += 0.083) {
+            const StandingPose pose = solver.settle({x, 0.0, 0.0});
+            ASSERT_EQ(pose.standing, Standing::Stands) << name << " at " << x;
+            for (std::size_t w = 0; w < run.mechanism.wheels.size(); ++w) {
+                const mechanism::Wheel& wheel = run.mechanism.wheels[w];
+                const double gap =
+                    gapTo(run.terrain->profile(),
+                          pose.bodies[static_cast<std::size_t>(wheel.body)] * wheel.center,
+                          wheel.radius);
+                const bool touches =
+                    std::any_of(pose.footholds.begin(), pose.footholds.end(), [&](const auto& f) {
+                        return f.contact.wheel == static_cast<int>(w);
+                    });
+                EXPECT_GT(gap, -1e-5) << name << " at " << x << ' ' << wheel.name;
+                if (touches) {
+                    EXPECT_LT(gap, 1e-5) << name << " at " << x << ' ' << wheel.name;
+                }
+            }
+        }
+    }
+}
+
+// On ground that differs left and right, too, and from the pose before as from above.
+TEST(PoseSolverTest, ColdAndWarmStartsAgree) {
+    const run::ResolvedRun run = prepared("solero", "rough-3d");
+    StaticModel model(run.mechanism, Model::Built);
+    PoseSolver solver(model, *run.terrain);
+    StandingPose last = solver.settle({0.0, 0.0, 0.0});
+    int compared = 0;
+    for (double x = 0.02; x < 3.0; x += 0.02) {
+        const StandingPose warm = solver.settleFrom(last.state, {x, 0.0, 0.0});
+        const StandingPose cold = solver.settle({x, 0.0, 0.0});
+        ASSERT_EQ(cold.standing, Standing::Stands) << x;
+        if (warm.standing == Standing::Stands) {
+            const Vec3 apart = warm.bodies[0].position - cold.bodies[0].position;
+            compared += apart.norm() < 1e-5 ? 1 : 0;
+        }
+        last = cold;
+    }
+    // Where a wheel stands before or behind an edge both may be right.
+    EXPECT_GE(compared, 140);
+}
+
+TEST(PoseSolverTest, SaysWhyThereIsNoPose) {
+    const mechanism::Mechanism solero = testsupport::mechanismOf("solero");
+    const terrain::Terrain small =
+        terrain::Terrain::extruded({{-1.0, 0.0}, {1.0, 0.0}}, -1.0, 1.0);
+    StaticModel model(solero, Model::Built);
+    PoseSolver solver(model, small);
+    EXPECT_EQ(solver.settle({5.0, 0.0, 0.0}).standing, Standing::NoGround);
+    // The centre of mass is beyond the border of the ground.
+    const Standing beyond = solver.settle({1.15, 0.0, 0.0}).standing;
+    EXPECT_TRUE(beyond == Standing::Tips || beyond == Standing::NoGround);
+    // What it found before does not matter.
+    EXPECT_EQ(solver.settle({0.0, 0.0, 0.0}).standing, Standing::Stands);
+}
+
+// The engine drives SOLERO onto an obstacle and stops there; statics is given where it stands and
+// the torques of its wheels.
+TEST(PoseSolverTest, AgreesWithTheEngineAtRest) {
+    for (const double drive : {7.0, 10.0, 14.0, 18.0}) {
+        project::Project project = testsupport::shipped("solero");
+        for (project::Scenario& scenario : project.scenarios) {
+            scenario.controller.kind = project::ControllerKind::Manual;
+            scenario.soil.rollingResistance = 0.0;
+        }
+        run::RunRequest request;
+        request.scenario = "rough-profile";
+        request.engine = project::EngineKind::Reduced;
+        request.duration = 60.0;
+        request.step = 0.001;
+        auto resolved = run::prepareRun(project, request);
+        ASSERT_TRUE(resolved);
+        run::Simulation simulation(std::move(resolved).value());
+        simulation.setManualCommand({0.1, 0.0});
+        while (simulation.snapshot().time < drive) {
+            simulation.step();
+        }
+        simulation.setManualCommand({0.0, 0.0});
+        while (simulation.snapshot().time < drive + 5.0) {
+            simulation.step();
+        }
+        const run::ResolvedRun& run = simulation.settings();
+        const run::Snapshot& end = simulation.snapshot();
+        const Pose& chassis = end.bodies[static_cast<std::size_t>(run.mechanism.chassis)];
+        StaticModel model(run.mechanism, Model::Built);
+        PoseSolver solver(model, *run.terrain);
+        const StandingPose pose = solver.settle({chassis.position.x(), chassis.position.y(), 0.0});
+        ASSERT_EQ(pose.standing, Standing::Stands);
+        const auto joints = run.mechanism.encoderJoints();
+        for (std::size_t k = 0; k < joints.size(); ++k) {
+            const mechanism::Joint& joint =
+                run.mechanism.joints[static_cast<std::size_t>(joints[k])];
+            EXPECT_NEAR(mechanism::jointAngle(joint, pose.bodies), end.joints[k].angle,
+                        0.1 * kDegree)
+                << joint.name << " after " << drive << " s";
+        }
+        if (pose.footholds.size() != run.mechanism.wheels.size()) {
+            continue;  // a wheel between floor and wall: how it shares its load is the engine's
+        }
+        std::vector<Contact> contacts = rollingAlong(pose);
+        dynamics::TreeState state = pose.state;
+        model.place(state);
+        const Traction traction(
+            model.equilibrium(contacts, ContactSet::Free, dynamics::kGravity), run.mechanism,
+            contacts);
+        std::vector<double> torques;
+        for (const run::WheelState& wheel : end.wheels) {
+            torques.push_back(wheel.torqueApplied);
+        }
+        const Forces forces = traction.under(torques);
+        for (std::size_t w = 0; w < torques.size(); ++w) {
+            EXPECT_NEAR(forces.normal[w], end.wheels[w].normalForce,
+                        0.01 * run.mechanism.mass() * dynamics::kGravity / 6.0)
+                << run.mechanism.wheels[w].name << " after " << drive << " s";
+        }
+    }
+}
