@@ -130,17 +130,17 @@ bool driveMissing(const experiment::Plan& plan, const project::Project& project,
 
 void printSummary(const std::vector<Outcome>& outcomes,
                   const std::vector<experiment::Comparison>& comparisons) {
-    fmt::print("{:<6}{:<10}{:<16}{:<16}{:>7}{:>7}{:>6}{:>7}{:>16}{:>8}{:>7}{:>8}\n", "mu", "grounds",
-               "controller", "rival", "pairs", "valid", "wins", "ratio", "95 %", "loaded", "work", "energy");
+    fmt::print("{:<6}{:<10}{:<16}{:<16}{:>7}{:>7}{:>6}{:>6}{:>7}{:>16}{:>8}{:>7}{:>8}\n", "mu", "grounds",
+               "controller", "rival", "pairs", "valid", "wins", "ties", "ratio", "95 %", "loaded", "work", "energy");
     for (const experiment::Comparison& c : comparisons) {
         const std::string interval =
             c.slip.low > 0.0 ? fmt::format("{:.2f}..{:.2f}", c.slip.low, c.slip.high) : "";
         if (c.grounds != experiment::Grounds::All && c.pairs == 0) {
             continue;
         }
-        fmt::print("{:<6}{:<10}{:<16}{:<16}{:>7}{:>7}{:>6}{:>7.2f}{:>16}{:>8.2f}{:>7.2f}{:>8.2f}\n",
+        fmt::print("{:<6}{:<10}{:<16}{:<16}{:>7}{:>7}{:>6}{:>6}{:>7.2f}{:>16}{:>8.2f}{:>7.2f}{:>8.2f}\n",
                    c.friction, toString(c.grounds), project::nameOf(c.controller), project::nameOf(c.rival), c.pairs,
-                   c.valid, c.slip.wins, c.slip.meanRatio, interval, c.loadedSlip.meanRatio,
+                   c.valid, c.slip.wins, c.slip.ties, c.slip.meanRatio, interval, c.loadedSlip.meanRatio,
                    c.work.meanRatio, c.energy.meanRatio);
     }
     bool heading = false;

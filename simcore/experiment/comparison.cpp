@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kSamples = 2000;
 constexpr double kTail = 0.025;
-/// What is less counts as this much, so that a run without slip has a ratio [m or J].
-constexpr double kLeast = 1e-6;
+/// Of energies and work [J].
+constexpr double kEnergyResolution = 1e-6;
 
 struct Pair {
     const Outcome* own;
@@ -26,13 +26,16 @@ double mean(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-Comparison::Measure measure(const std::vector<Pair>& pairs, double Outcome::*what) {
+Comparison::Measure measure(const std::vector<Pair>& pairs, double Outcome::*what,
+                            double resolution) {
     Comparison::Measure result;
     std::vector<double> logs;
     for (const Pair& pair : pairs) {
-        result.wins += pair.own->*what < pair.rival->*what ? 1 : 0;
-        logs.push_back(
-            std::log(std::max(kLeast, pair.rival->*what) / std::max(kLeast, pair.own->*what)));
+        const double less = pair.rival->*what - pair.own->*what;
+        result.wins += less > resolution ? 1 : 0;
+        result.ties += std::abs(less) <= resolution ? 1 : 0;
+        logs.push_back(std::log(std::max(resolution, pair.rival->*what) /
+                                std::max(resolution, pair.own->*what)));
     }
     if (logs.empty()) {
         return result;
@@ -97,10 +100,10 @@ Comparison compareTwo(const Plan& plan, const std::vector<Outcome>& outcomes, Gr
         }
     }
     comparison.valid = static_cast<int>(valid.size());
-    comparison.slip = measure(valid, &Outcome::slipAbs);
-    comparison.loadedSlip = measure(valid, &Outcome::slipLoaded);
-    comparison.energy = measure(valid, &Outcome::energy);
-    comparison.work = measure(valid, &Outcome::frictionWork);
+    comparison.slip = measure(valid, &Outcome::slipAbs, kSlipResolution);
+    comparison.loadedSlip = measure(valid, &Outcome::slipLoaded, kSlipResolution);
+    comparison.energy = measure(valid, &Outcome::energy, kEnergyResolution);
+    comparison.work = measure(valid, &Outcome::frictionWork, kEnergyResolution);
     return comparison;
 }
 

@@ -35,8 +35,10 @@ struct Comparison {
 
     /// Of one measure over the valid pairs.
     struct Measure {
-        int wins = 0;  ///< pairs in which the controller has less
+        int wins = 0;  ///< pairs in which the controller has less, by more than the resolution
+        int ties = 0;  ///< pairs that differ by less
         /// Geometric mean of rival over controller: above 1 the controller has less [-]; 0 = none.
+        /// What is less than the resolution counts as that much.
         double meanRatio = 0.0;
         /// 95 % confidence interval of the mean ratio; 0 with fewer than two pairs.
         double low = 0.0, high = 0.0;
@@ -47,6 +49,10 @@ struct Comparison {
     Measure energy;      ///< Outcome::energy
     Measure work;        ///< Outcome::frictionWork
 };
+
+/// Slip that makes no difference: 1 mm of all wheels on the whole way. Where nothing slips, what is
+/// measured is the sampling of the way, some tenths of a millimetre [m].
+inline constexpr double kSlipResolution = 1e-3;
 
 /// On full terrain two rovers that end further apart did not drive the same way [m] (paper).
 inline constexpr double kSameEnd = 0.1;

@@ -75,6 +75,7 @@ Json toJson(const Comparison& comparison) {
         const Comparison::Measure& measure = comparison.*member;
         const std::string start = prefix;
         json[start + "wins"] = measure.wins;
+        json[start + "ties"] = measure.ties;
         json[start + "mean_ratio"] = measure.meanRatio > 0.0 ? Json(measure.meanRatio) : Json();
         json[start + "ci95"] =
             measure.low > 0.0 ? Json::array({measure.low, measure.high}) : Json();
@@ -260,7 +261,7 @@ std::string runsTable(const std::vector<Outcome>& outcomes) {
 std::string summaryTable(const std::vector<Comparison>& comparisons) {
     std::string text = "mu [-],grounds,controller,rival,tried,pairs,valid,only_controller,only_rival";
     for (const auto& [prefix, member] : kMeasures) {
-        text += fmt::format(",{0}wins,{0}mean_ratio [-],{0}ci95_low [-],{0}ci95_high [-]", prefix);
+        text += fmt::format(",{0}wins,{0}ties,{0}mean_ratio [-],{0}ci95_low [-],{0}ci95_high [-]", prefix);
     }
     text += "\n";
     for (const Comparison& c : comparisons) {
@@ -270,7 +271,7 @@ std::string summaryTable(const std::vector<Comparison>& comparisons) {
         for (const auto& [prefix, member] : kMeasures) {
             const Comparison::Measure& m = c.*member;
             const auto known = [](double value) { return value > 0.0 ? cell(value) : ""; };
-            text += fmt::format(",{},{},{},{}", m.wins, known(m.meanRatio), known(m.low),
+            text += fmt::format(",{},{},{},{},{}", m.wins, m.ties, known(m.meanRatio), known(m.low),
                                 known(m.high));
         }
         text += "\n";

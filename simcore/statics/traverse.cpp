@@ -21,6 +21,14 @@ constexpr double kBlockWay = 0.05;
 constexpr std::size_t kSamplesInVain = 200;
 constexpr double kGetsOn = 1e-3;  ///< that counts as going on, in radii
 
+/// No ground has this friction: in some poses next to singular ones forces are found that are
+/// none.
+constexpr double kNoGround = 5.0;
+
+bool isHeld(const TraverseSample& sample) {
+    return sample.study.feasible && sample.study.frictionRequired < kNoGround;
+}
+
 /// The footholds of one wheel.
 struct Stand {
     int count = 0;
@@ -285,7 +293,7 @@ std::size_t Traverse::hardest() const {
     std::size_t most = 0;
     double friction = 0.0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        if (samples[i].climbs && samples[i].study.feasible &&
+        if (samples[i].climbs && isHeld(samples[i]) &&
             samples[i].study.frictionRequired > friction) {
             most = i;
             friction = samples[i].study.frictionRequired;
@@ -299,7 +307,7 @@ double Traverse::frictionRequired() const {
     double unheld = 0.0;
     bool passable = end == TraverseEnd::Arrived && !samples.empty();
     for (std::size_t i = 1; i < samples.size(); ++i) {
-        const bool held = !samples[i].climbs || samples[i].study.feasible;
+        const bool held = !samples[i].climbs || isHeld(samples[i]);
         unheld = held ? 0.0 : unheld + samples[i].way - samples[i - 1].way;
         passable = passable && unheld < kUnheld * radius;
     }
@@ -307,7 +315,7 @@ double Traverse::frictionRequired() const {
         return std::numeric_limits<double>::infinity();
     }
     const TraverseSample& most = samples[hardest()];
-    return most.climbs && most.study.feasible ? most.study.frictionRequired : 0.0;
+    return most.climbs && isHeld(most) ? most.study.frictionRequired : 0.0;
 }
 
 }  // namespace simcore::statics
