@@ -130,18 +130,20 @@ bool driveMissing(const experiment::Plan& plan, const project::Project& project,
 
 void printSummary(const std::vector<Outcome>& outcomes,
                   const std::vector<experiment::Comparison>& comparisons) {
-    fmt::print("{:<6}{:<10}{:<16}{:<16}{:>7}{:>7}{:>6}{:>6}{:>7}{:>16}{:>8}{:>7}{:>8}\n", "mu", "grounds",
-               "controller", "rival", "pairs", "valid", "wins", "ties", "ratio", "95 %", "loaded", "work", "energy");
+    fmt::print("{:<6}{:<10}{:<16}{:<16}{:>7}{:>7}{:>6}{:>6}{:>7}{:>16}{:>8}{:>7}{:>8}\n", "mu",
+               "grounds", "controller", "rival", "pairs", "valid", "wins", "ties", "ratio", "95 %",
+               "loaded", "work", "energy");
     for (const experiment::Comparison& c : comparisons) {
         const std::string interval =
             c.slip.low > 0.0 ? fmt::format("{:.2f}..{:.2f}", c.slip.low, c.slip.high) : "";
         if (c.grounds != experiment::Grounds::All && c.pairs == 0) {
             continue;
         }
-        fmt::print("{:<6}{:<10}{:<16}{:<16}{:>7}{:>7}{:>6}{:>6}{:>7.2f}{:>16}{:>8.2f}{:>7.2f}{:>8.2f}\n",
-                   c.friction, toString(c.grounds), project::nameOf(c.controller), project::nameOf(c.rival), c.pairs,
-                   c.valid, c.slip.wins, c.slip.ties, c.slip.meanRatio, interval, c.loadedSlip.meanRatio,
-                   c.work.meanRatio, c.energy.meanRatio);
+        fmt::print(
+            "{:<6}{:<10}{:<16}{:<16}{:>7}{:>7}{:>6}{:>6}{:>7.2f}{:>16}{:>8.2f}{:>7.2f}{:>8.2f}\n",
+            c.friction, toString(c.grounds), project::nameOf(c.controller),
+            project::nameOf(c.rival), c.pairs, c.valid, c.slip.wins, c.slip.ties, c.slip.meanRatio,
+            interval, c.loadedSlip.meanRatio, c.work.meanRatio, c.energy.meanRatio);
     }
     bool heading = false;
     for (const Outcome& outcome : outcomes) {
@@ -156,8 +158,7 @@ void printSummary(const std::vector<Outcome>& outcomes,
 
 /// The rover with parameters set, as `roversim run --set` does.
 Result<project::Project> withParameters(const project::Project& project,
-                                        const experiment::Plan& plan,
-                                        const experiment::Case& first,
+                                        const experiment::Plan& plan, const experiment::Case& first,
                                         const std::vector<project::Assignment>& assignments) {
     if (const auto resolved = project::resolve(project, {}, assignments); !resolved) {
         return resolved.problems();
@@ -268,7 +269,8 @@ int work() {
             return kAnswerIsNo;
         }
         Outcome outcome = experiment::drive(parsed->project, parsed->plan, *what);
-        outcome.staticFriction = statics.frictionRequired(parsed->project, parsed->plan, what->seed);
+        outcome.staticFriction =
+            statics.frictionRequired(parsed->project, parsed->plan, what->seed);
         fmt::print("{}\n", io::formatOutcome(outcome));
         std::fflush(stdout);
     }

@@ -155,8 +155,8 @@ int studyAlong(const Options& options, statics::PoseSolver& solver, double dista
     request.contacts = contactsOf(options);
     const statics::Traverse traverse = statics::traverse(solver, request);
     if (!options.csv.empty()) {
-        const auto saved = io::writeFileAtomically(
-            options.csv, io::traverseTable(solver.mechanism(), traverse));
+        const auto saved =
+            io::writeFileAtomically(options.csv, io::traverseTable(solver.mechanism(), traverse));
         printProblems(options.csv, saved.problems());
         if (!saved) {
             return kAnswerIsNo;
@@ -234,11 +234,12 @@ int studyClimbs(const Options& options, const mechanism::Mechanism& mechanism) {
         const statics::Capability can = statics::whatItClimbs(mechanism, request);
         json[backwards ? "backwards" : "forwards"] = io::toJson(can);
         if (!options.json) {
-            fmt::print("{:<10} step {}{:.1f} mm, stairs of {:.0f} mm tread {}{:.1f} mm, slope {:.2f} "
-                       "deg\n",
-                       backwards ? "backwards" : "forwards", can.stepLimited ? "" : "at least ",
-                       1e3 * can.step, 1e3 * options.tread, can.stairLimited ? "" : "at least ",
-                       1e3 * can.stair, can.slope / kDegree);
+            fmt::print(
+                "{:<10} step {}{:.1f} mm, stairs of {:.0f} mm tread {}{:.1f} mm, slope {:.2f} "
+                "deg\n",
+                backwards ? "backwards" : "forwards", can.stepLimited ? "" : "at least ",
+                1e3 * can.step, 1e3 * options.tread, can.stairLimited ? "" : "at least ",
+                1e3 * can.stair, can.slope / kDegree);
         }
     }
     if (options.json) {
@@ -308,7 +309,9 @@ void addStaticsCommand(CLI::App& app, int& exitCode) {
         ->check(CLI::Range(-1e4, 1e4));
     command->add_option("--heading", options->heading, "To the left [deg]")
         ->check(CLI::Range(-360.0, 360.0));
-    command->add_option("--pose", options->pose, "nominal: as drawn; settled: on the scenario's ground")
+    command
+        ->add_option("--pose", options->pose,
+                     "nominal: as drawn; settled: on the scenario's ground")
         ->check(CLI::IsMember({"nominal", "settled"}));
     command->add_flag("--along", options->along,
                       "Follow the rover over the scenario's ground, as far as a run goes");

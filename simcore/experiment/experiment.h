@@ -41,7 +41,7 @@ struct Outcome {
     Case ran;
     bool completed = false;
     double staticFriction = 0.0;  ///< GroundStatics::frictionRequired() of its ground [-]
-    std::string stopReason;  ///< run::toString(), or why there was no run
+    std::string stopReason;       ///< run::toString(), or why there was no run
     double slipAbs = 0.0, slipLoaded = 0.0, slipSigned = 0.0;  ///< sums of all wheels [m]
     double frictionWork = 0.0;                                 ///< at the contacts [J]
     double energy = 0.0;                                       ///< of the drives [J]

@@ -10,8 +10,8 @@ namespace simcore::experiment {
 class GroundStatics {
   public:
     /// The friction required to creep over the ground of a seed with the heading held, rolling
-    /// resistance left out (statics::Traverse::frictionRequired()) [-]. Infinite where the rover does
-    /// not come over it by statics; NaN where it cannot be studied.
+    /// resistance left out (statics::Traverse::frictionRequired()) [-]. Infinite where the rover
+    /// does not come over it by statics; NaN where it cannot be studied.
     double frictionRequired(const project::Project& project, const Plan& plan, int seed);
 
   private:

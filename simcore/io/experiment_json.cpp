@@ -244,7 +244,8 @@ Json toJson(const Plan& plan, const std::vector<Outcome>& outcomes,
 
 std::string runsTable(const std::vector<Outcome>& outcomes) {
     std::string text =
-        "seed,mu [-],controller,completed,stop_reason,mu_static [-],slip_abs [m],slip_loaded [m],slip_signed [m],"
+        "seed,mu [-],controller,completed,stop_reason,mu_static [-],slip_abs [m],slip_loaded "
+        "[m],slip_signed [m],"
         "friction_work [J],energy [J],peak_torque [N m],end_x [m],end_y [m]\n";
     for (const Outcome& outcome : outcomes) {
         text += fmt::format("{},{},{},{},{}", outcome.ran.seed, cell(outcome.ran.friction),
@@ -259,9 +260,11 @@ std::string runsTable(const std::vector<Outcome>& outcomes) {
 }
 
 std::string summaryTable(const std::vector<Comparison>& comparisons) {
-    std::string text = "mu [-],grounds,controller,rival,tried,pairs,valid,only_controller,only_rival";
+    std::string text =
+        "mu [-],grounds,controller,rival,tried,pairs,valid,only_controller,only_rival";
     for (const auto& [prefix, member] : kMeasures) {
-        text += fmt::format(",{0}wins,{0}ties,{0}mean_ratio [-],{0}ci95_low [-],{0}ci95_high [-]", prefix);
+        text += fmt::format(",{0}wins,{0}ties,{0}mean_ratio [-],{0}ci95_low [-],{0}ci95_high [-]",
+                            prefix);
     }
     text += "\n";
     for (const Comparison& c : comparisons) {

@@ -9,7 +9,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-
 namespace simcore::io {
 namespace {
 
@@ -24,9 +23,11 @@ Json finite(double value) {
 
 /// The wheel that asks the largest friction; "" where nothing holds the rover.
 std::string limitingWheel(const statics::Study& study) {
-    const auto most = std::max_element(
-        study.wheels.begin(), study.wheels.end(),
-        [](const statics::WheelStudy& a, const statics::WheelStudy& b) { return a.ratio < b.ratio; });
+    const auto most =
+        std::max_element(study.wheels.begin(), study.wheels.end(),
+                         [](const statics::WheelStudy& a, const statics::WheelStudy& b) {
+                             return a.ratio < b.ratio;
+                         });
     return study.feasible && most != study.wheels.end() ? most->name : "";
 }
 
@@ -149,7 +150,8 @@ std::string traverseTable(const mechanism::Mechanism& mechanism,
         "limiting_wheel";
     for (const mechanism::Wheel& wheel : mechanism.wheels) {
         text += fmt::format(
-            ",contact_angle_{0} [rad],normal_{0} [N],traction_{0} [N],lateral_{0} [N],torque_{0} [N "
+            ",contact_angle_{0} [rad],normal_{0} [N],traction_{0} [N],lateral_{0} [N],torque_{0} "
+            "[N "
             "m],ratio_{0} [-]",
             wheel.name);
     }
@@ -161,13 +163,13 @@ std::string traverseTable(const mechanism::Mechanism& mechanism,
         const statics::Study& study = sample.study;
         const Pose& chassis = sample.pose.bodies[static_cast<std::size_t>(mechanism.chassis)];
         const auto [roll, pitch] = rollAndPitch(chassis);
-        text += fmt::format(
-            "{},{},{},{},{},{},{},{},{},{},{},{},{},{}", sample.way, sample.distance,
-            chassis.position.z(), roll, pitch, sample.climbs ? 1 : 0, study.feasible ? 1 : 0,
-            cell(study.feasible ? study.frictionRequired : kMissing),
-            cell(study.equalTorque.value_or(kMissing)),
-            cell(study.equalTorque ? study.equalMaxRatio : kMissing), study.tipOver,
-            sample.pose.clearance, study.rollingConflict, limitingWheel(study));
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", sample.way,
+                            sample.distance, chassis.position.z(), roll, pitch,
+                            sample.climbs ? 1 : 0, study.feasible ? 1 : 0,
+                            cell(study.feasible ? study.frictionRequired : kMissing),
+                            cell(study.equalTorque.value_or(kMissing)),
+                            cell(study.equalTorque ? study.equalMaxRatio : kMissing), study.tipOver,
+                            sample.pose.clearance, study.rollingConflict, limitingWheel(study));
         for (const statics::WheelStudy& wheel : study.wheels) {
             const bool known = study.feasible && wheel.touches;
             const auto of = [&](double value) { return cell(known ? value : kMissing); };

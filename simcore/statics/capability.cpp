@@ -53,8 +53,8 @@ std::pair<double, bool> largest(double most, double tolerance, Holds&& holds) {
 bool standsOnSlope(const mechanism::Mechanism& mechanism, const ClimbRequest& request,
                    double slope) {
     const double rise = kBeyond * std::tan(slope) * (request.backwards ? -1.0 : 1.0);
-    const terrain::Terrain ground = terrain::Terrain::extruded(
-        {{-kBeyond, -rise}, {kBeyond, rise}}, -kHalfWidth, kHalfWidth);
+    const terrain::Terrain ground =
+        terrain::Terrain::extruded({{-kBeyond, -rise}, {kBeyond, rise}}, -kHalfWidth, kHalfWidth);
     StaticModel model(mechanism, request.joints);
     PoseSolver solver(model, ground);
     const StandingPose pose = solver.settle({});
@@ -67,8 +67,8 @@ bool standsOnSlope(const mechanism::Mechanism& mechanism, const ClimbRequest& re
 
 }  // namespace
 
-bool climbsStairs(const mechanism::Mechanism& mechanism, const ClimbRequest& request,
-                  double height, double tread, int count) {
+bool climbsStairs(const mechanism::Mechanism& mechanism, const ClimbRequest& request, double height,
+                  double tread, int count) {
     const Extent extent = extentOf(mechanism);
     terrain::Profile profile;
     terrain::addPoint(profile, -kBeyond, 0.0);
@@ -80,8 +80,7 @@ bool climbsStairs(const mechanism::Mechanism& mechanism, const ClimbRequest& req
             point.x() = -point.x();
         }
     }
-    const terrain::Terrain ground =
-        terrain::Terrain::extruded(profile, -kHalfWidth, kHalfWidth);
+    const terrain::Terrain ground = terrain::Terrain::extruded(profile, -kHalfWidth, kHalfWidth);
     StaticModel model(mechanism, request.joints);
     PoseSolver solver(model, ground);
     TraverseRequest traverseRequest;
@@ -89,13 +88,11 @@ bool climbsStairs(const mechanism::Mechanism& mechanism, const ClimbRequest& req
     traverseRequest.step = kSampleStep;
     const double gap = 0.5 * extent.radius;
     traverseRequest.from.x = request.backwards ? -extent.rear + gap : -extent.front - gap;
-    traverseRequest.distance =
-        extent.front - extent.rear + tread * (count - 1) + 2.0 * gap;
-    const Traverse result =
-        traverse(solver, traverseRequest, [&](const TraverseSample& sample) {
-            return !sample.climbs ||
-                   (sample.study.feasible && sample.study.frictionRequired <= request.friction);
-        });
+    traverseRequest.distance = extent.front - extent.rear + tread * (count - 1) + 2.0 * gap;
+    const Traverse result = traverse(solver, traverseRequest, [&](const TraverseSample& sample) {
+        return !sample.climbs ||
+               (sample.study.feasible && sample.study.frictionRequired <= request.friction);
+    });
     return result.end == TraverseEnd::Arrived;
 }
 
@@ -103,9 +100,8 @@ Capability whatItClimbs(const mechanism::Mechanism& mechanism, const ClimbReques
     Capability capability;
     const double highest = kHighest * extentOf(mechanism).radius;
     std::tie(capability.step, capability.stepLimited) =
-        largest(highest, kHeightTolerance, [&](double height) {
-            return climbsStairs(mechanism, request, height, 1.0, 1);
-        });
+        largest(highest, kHeightTolerance,
+                [&](double height) { return climbsStairs(mechanism, request, height, 1.0, 1); });
     std::tie(capability.stair, capability.stairLimited) =
         largest(highest, kHeightTolerance, [&](double height) {
             return climbsStairs(mechanism, request, height, request.tread, request.stairs);

@@ -16,19 +16,19 @@ struct ClimbRequest {
 
 /// What it climbs, by statics: no run-up, no rolling resistance, torques within the motors' limits.
 struct Capability {
-    double step = 0.0;          ///< highest vertical step [m]
-    double stair = 0.0;         ///< highest riser of stairs with the given tread [m]
-    double slope = 0.0;         ///< steepest even slope, tip-over included [rad]
-    bool stepLimited = true;    ///< false: it climbs the highest that was tried
-    bool stairLimited = true;   ///< the same of the stairs
+    double step = 0.0;         ///< highest vertical step [m]
+    double stair = 0.0;        ///< highest riser of stairs with the given tread [m]
+    double slope = 0.0;        ///< steepest even slope, tip-over included [rad]
+    bool stepLimited = true;   ///< false: it climbs the highest that was tried
+    bool stairLimited = true;  ///< the same of the stairs
 };
 
-/// Bisected to half a millimetre and a hundredth of a degree, up to four radii of a wheel. That what
-/// is lower than something climbed can be climbed is assumed.
+/// Bisected to half a millimetre and a hundredth of a degree, up to four radii of a wheel. That
+/// what is lower than something climbed can be climbed is assumed.
 Capability whatItClimbs(const mechanism::Mechanism& mechanism, const ClimbRequest& request);
 
 /// Whether it climbs `count` risers of this height, `tread` apart.
-bool climbsStairs(const mechanism::Mechanism& mechanism, const ClimbRequest& request,
-                  double height, double tread, int count);
+bool climbsStairs(const mechanism::Mechanism& mechanism, const ClimbRequest& request, double height,
+                  double tread, int count);
 
 }  // namespace simcore::statics

@@ -26,7 +26,8 @@ constexpr int kMaxIterations = 300;
 constexpr int kMaxRollIterations = 60;
 /// A pose is found when no wheel moves further in one more step [m].
 constexpr double kStill = 1e-10;
-/// What the contact finder tells apart where triangles meet: a pose may go on to change by this [m].
+/// What the contact finder tells apart where triangles meet: a pose may go on to change by this
+/// [m].
 constexpr double kResolved = 3e-6;
 constexpr int kEnoughSteps = 10;
 /// Nearer than this is touching [m].
@@ -217,7 +218,8 @@ std::vector<Vec3> PoseSolver::courseFrom(const StandingPose& from,
     };
     MatrixXd metric = model_.inertia();
     metric.diagonal().array() += 1e-9 * metric.diagonal().maxCoeff();
-    // Contacts hold far more firmly than inertia; where they contradict each other, as best they can.
+    // Contacts hold far more firmly than inertia; where they contradict each other, as best they
+    // can.
     constexpr double kFirmly = 1e6;
     RowVectorXd on = RowVectorXd::Zero(n);
     for (const Contact& contact : along) {
@@ -226,12 +228,11 @@ std::vector<Vec3> PoseSolver::courseFrom(const StandingPose& from,
         const auto i = static_cast<std::size_t>(contact.wheel);
         on += centerRow(i, (backwards ? -1.0 : 1.0) * contact.forward);
     }
-    const double moved = from.course.empty() ? 0.0
-                                             : std::accumulate(from.course.begin(),
-                                                               from.course.end(), 0.0,
-                                                               [](double sum, const Vec3& v) {
-                                                                   return sum + v.norm();
-                                                               });
+    const double moved =
+        from.course.empty()
+            ? 0.0
+            : std::accumulate(from.course.begin(), from.course.end(), 0.0,
+                              [](double sum, const Vec3& v) { return sum + v.norm(); });
     if (moved > kStill) {
         on.setZero();
         for (std::size_t i = 0; i < from.course.size(); ++i) {
@@ -243,9 +244,9 @@ std::vector<Vec3> PoseSolver::courseFrom(const StandingPose& from,
     rows.row(0) = on;
     rows.row(1) = model_.workOf(mechanism.chassis, leftOf(headingOf(chassis)), chassis.position);
     rows.row(2) = headingRow(chassis);
-    const VectorXd motion =
-        minimise({metric, VectorXd::Zero(n), rows, VectorXd::Unit(3, 0), 3}).x;
-    // What a wheel leaves opens; so a wheel at a wall goes up it, even if that moves the rover back.
+    const VectorXd motion = minimise({metric, VectorXd::Zero(n), rows, VectorXd::Unit(3, 0), 3}).x;
+    // What a wheel leaves opens; so a wheel at a wall goes up it, even if that moves the rover
+    // back.
     double opening = 0.0;
     for (const Foothold& foothold : from.footholds) {
         const Contact& contact = foothold.contact;
@@ -276,8 +277,8 @@ std::vector<Contact> rollingAlong(const StandingPose& pose, bool backwards) {
     for (std::size_t i = 0; i < pose.footholds.size(); ++i) {
         const int wheel = pose.footholds[i].contact.wheel;
         const bool first = i == 0 || pose.footholds[i - 1].contact.wheel != wheel;
-        const bool last = i + 1 == pose.footholds.size() ||
-                          pose.footholds[i + 1].contact.wheel != wheel;
+        const bool last =
+            i + 1 == pose.footholds.size() || pose.footholds[i + 1].contact.wheel != wheel;
         if (backwards ? first : last) {
             contacts.push_back(pose.footholds[i].contact);
         }
@@ -337,7 +338,8 @@ void PoseSolver::assemble(const Held& held) {
     program_.rows.row(1) = model_.workOf(c, left, chassis.position);
     program_.bounds[1] = left.dot(away);
     program_.rows.row(2) = headingRow(chassis);
-    program_.bounds[2] = std::remainder(held.place.heading - headingOf(chassis), 2.0 * std::numbers::pi);
+    program_.bounds[2] =
+        std::remainder(held.place.heading - headingOf(chassis), 2.0 * std::numbers::pi);
 
     Eigen::Index row = kHeld;
     for (const contact::Contact& contact : contacts_) {
@@ -358,9 +360,9 @@ void PoseSolver::assemble(const Held& held) {
     metric_.diagonal().array() += 1e-9 * metric_.diagonal().maxCoeff();
 }
 
-/// Wheels that roll stay on the ground: what each rolls along becomes an equation. Which wheel could
-/// not be held there is for the forces to say. Where the wheels are more than the joints can set
-/// down, as four on a rigid frame, they are pressed on the ground instead.
+/// Wheels that roll stay on the ground: what each rolls along becomes an equation. Which wheel
+/// could not be held there is for the forces to say. Where the wheels are more than the joints can
+/// set down, as four on a rigid frame, they are pressed on the ground instead.
 void PoseSolver::keepRolling(const std::vector<Contact>& along) {
     std::vector<Eigen::Index> kept;
     for (const Contact& of : along) {
@@ -448,8 +450,7 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
     const double start = stiffness;
     const double least = kLeastMetric * stiffness;
     double lastMove = std::numeric_limits<double>::infinity();
-    const int most =
-        held.what == Held::What::Way ? kMaxRollIterations : kMaxIterations;
+    const int most = held.what == Held::What::Way ? kMaxRollIterations : kMaxIterations;
     for (int iteration = 0; iteration < most; ++iteration) {
         result.iterations = iteration + 1;
         if (!model_.place(state)) {
@@ -475,7 +476,7 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
             }
         }
         VectorXd amounts = minimise(program_).x;
-            double move = 0.0;
+        double move = 0.0;
         for (const mechanism::Wheel& wheel : mechanism.wheels) {
             const Vec3 center = model_.poses()[static_cast<std::size_t>(wheel.body)] * wheel.center;
             for (int k = 0; k < 3; ++k) {
@@ -489,7 +490,8 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
         if (held.what == Held::What::Way) {
             held.way -= program_.rows.row(0).dot(amounts);
         }
-        if (share == 1.0 && stiffness <= start && move < (iteration < kEnoughSteps ? kStill : kResolved)) {
+        if (share == 1.0 && stiffness <= start &&
+            move < (iteration < kEnoughSteps ? kStill : kResolved)) {
             result.standing = Standing::Stands;
             break;
         }
@@ -537,9 +539,8 @@ void PoseSolver::describe(StandingPose& result) const {
                        there.contact.normal.dot(contact.normal) > kOnePlace;
             });
         if (same == result.footholds.end()) {
-            result.footholds.push_back({{contact.wheel, contact.point, contact.normal,
-                                         contact.forward},
-                                        0.0});
+            result.footholds.push_back(
+                {{contact.wheel, contact.point, contact.normal, contact.forward}, 0.0});
             counts[{contact.wheel, static_cast<int>(result.footholds.size())}] = 1;
         } else {
             const int index = static_cast<int>(same - result.footholds.begin()) + 1;
@@ -554,8 +555,7 @@ void PoseSolver::describe(StandingPose& result) const {
         const mechanism::Wheel& wheel =
             mechanism.wheels[static_cast<std::size_t>(foothold.contact.wheel)];
         const Pose& X_WB = result.bodies[static_cast<std::size_t>(wheel.body)];
-        foothold.contact.forward =
-            mobility::rollingDirection(wheel, X_WB, foothold.contact.normal);
+        foothold.contact.forward = mobility::rollingDirection(wheel, X_WB, foothold.contact.normal);
         foothold.angle = contactAngle(foothold.contact.normal, X_WB.rotation * wheel.axis);
     }
     std::sort(result.footholds.begin(), result.footholds.end(),

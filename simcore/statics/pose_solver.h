@@ -23,10 +23,10 @@ struct Place {
 /// What became of a rover that was put down.
 enum class Standing {
     Stands,
-    NoGround,       ///< there is none under it, or it falls past it
-    Tips,           ///< it turns over
-    LoopOpens,      ///< its joints cannot follow
-    NotConverged,   ///< it comes to no rest
+    NoGround,      ///< there is none under it, or it falls past it
+    Tips,          ///< it turns over
+    LoopOpens,     ///< its joints cannot follow
+    NotConverged,  ///< it comes to no rest
 };
 
 /// A wheel's place on the ground.
@@ -40,13 +40,13 @@ struct Foothold {
 struct StandingPose {
     Standing standing = Standing::NotConverged;
     dynamics::TreeState state;
-    std::vector<Pose> bodies;            ///< X_WB
-    std::vector<Foothold> footholds;     ///< by wheel, then from behind to ahead; a wheel at floor
-                                         ///< and wall has two, one that hangs none
-    std::vector<int> bodiesTouching;     ///< that are no wheels
+    std::vector<Pose> bodies;         ///< X_WB
+    std::vector<Foothold> footholds;  ///< by wheel, then from behind to ahead; a wheel at floor
+                                      ///< and wall has two, one that hangs none
+    std::vector<int> bodiesTouching;  ///< that are no wheels
     std::vector<int> jointsAtStop;
-    double potential = 0.0;  ///< of weight and springs [J]
-    double clearance = 0.0;  ///< least distance of a body that is no wheel from the ground [m]
+    double potential = 0.0;    ///< of weight and springs [J]
+    double clearance = 0.0;    ///< least distance of a body that is no wheel from the ground [m]
     std::vector<Vec3> course;  ///< by which each wheel's centre came here when it rolled [m]
     int iterations = 0;
 };
@@ -55,10 +55,10 @@ struct StandingPose {
 /// it rolls along. Where a wheel stands against something and on the floor, the floor lets go.
 std::vector<Contact> rollingAlong(const StandingPose& pose, bool backwards = false);
 
-/// Finds how a rover stands: the least energy of weight and springs among all poses in which nothing
-/// is under ground and no joint beyond its stops. Wheels slide without friction meanwhile, and the
-/// chassis is held where it was put. Where every wheel touches, geometry alone decides; energy
-/// decides where one hangs.
+/// Finds how a rover stands: the least energy of weight and springs among all poses in which
+/// nothing is under ground and no joint beyond its stops. Wheels slide without friction meanwhile,
+/// and the chassis is held where it was put. Where every wheel touches, geometry alone decides;
+/// energy decides where one hangs.
 ///
 /// Newton's iteration: one quadratic program a step, with the ground as it is met there.
 class PoseSolver {
@@ -109,7 +109,7 @@ class PoseSolver {
     double reach_;  ///< how far ahead the ground is looked at [m]
     contact::WheelContactFinder wheels_;
     contact::BodyContactFinder bodies_;
-    std::vector<contact::Contact> contacts_;  ///< rows after the held ones
+    std::vector<contact::Contact> contacts_;     ///< rows after the held ones
     std::vector<std::pair<int, double>> stops_;  ///< joint and sign, rows after the contacts
     QuadraticProgram program_;
     Eigen::MatrixXd metric_;

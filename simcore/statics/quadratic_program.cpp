@@ -22,7 +22,9 @@ constexpr double kViolated = 1e-12;
 class Multipliers {
   public:
     Multipliers(const MatrixXd& gram, const VectorXd& asked, int free)
-        : gram_(gram), asked_(asked), free_(free) {
+        : gram_(gram),
+          asked_(asked),
+          free_(free) {
         for (int i = 0; i < free; ++i) {
             active_.push_back(i);
         }

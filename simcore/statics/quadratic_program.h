@@ -19,9 +19,9 @@ struct Optimum {
 };
 
 /// By the active rows of the dual problem (C. L. Lawson, R. J. Hanson, Solving Least Squares
-/// Problems, 1974, ch. 23, with the Gram matrix J H^-1 J'). Rows may depend on each other. Rows that
-/// contradict each other get the least violation, weighed by J H^-1 J'. Small problems: everything is
-/// dense.
+/// Problems, 1974, ch. 23, with the Gram matrix J H^-1 J'). Rows may depend on each other. Rows
+/// that contradict each other get the least violation, weighed by J H^-1 J'. Small problems:
+/// everything is dense.
 Optimum minimise(const QuadraticProgram& problem);
 
 }  // namespace simcore::statics

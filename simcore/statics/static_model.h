@@ -84,15 +84,16 @@ class StaticModel {
     /// Work of a force at a place (world) of a body per unit of each motion.
     Eigen::RowVectorXd workOf(int body, const Vec3& force, const Vec3& point) const;
     Eigen::RowVectorXd workOfMoment(int body, const Vec3& moment) const;
-    /// Of a moment about a joint's axis (a pin's) on its second body, and its reaction on the first.
+    /// Of a moment about a joint's axis (a pin's) on its second body, and its reaction on the
+    /// first.
     Eigen::RowVectorXd workAboutJoint(const mechanism::Joint& joint) const;
 
     /// Work of weight and springs per unit of each motion.
     /// @param gravity  [m/s^2], along -z
     Eigen::VectorXd loads(double gravity) const;
 
-    /// Of weight and springs at the pose placed last, 0 at the world's origin and where springs are as
-    /// drawn [J].
+    /// Of weight and springs at the pose placed last, 0 at the world's origin and where springs are
+    /// as drawn [J].
     double potential(double gravity) const;
 
     /// Inertia of the motions, a metric that makes turns and slides comparable [kg m^2, kg].

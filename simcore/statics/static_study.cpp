@@ -71,9 +71,8 @@ Problems problemsOf(const Mechanism& mechanism, const StudyRequest& request) {
 Study studyContacts(StaticModel& model, const std::vector<Contact>& contacts,
                     std::optional<ContactSet> asked, bool searched) {
     const Mechanism& mechanism = model.mechanism();
-    const ContactSet set = asked.value_or(alikeLeftAndRight(mechanism, model.poses(), contacts)
-                                              ? ContactSet::Free
-                                              : ContactSet::All);
+    const ContactSet set = asked.value_or(
+        alikeLeftAndRight(mechanism, model.poses(), contacts) ? ContactSet::Free : ContactSet::All);
     const Equilibrium equilibrium = model.equilibrium(contacts, set, dynamics::kGravity);
     const Traction traction(equilibrium, mechanism, contacts);
 

@@ -60,9 +60,9 @@ Result<Study> studyDrawnPose(const mechanism::Mechanism& mechanism, const StudyR
 Study studyPose(StaticModel& model, const StandingPose& pose, std::optional<ContactSet> contacts,
                 bool backwards = false, bool searched = true);
 
-/// Least angle by which the rover would have to turn about a line between two neighbouring footholds
-/// until its centre of mass is above it (E. G. Papadopoulos, D. A. Rey, ICRA 1996); 0 where it would
-/// tip, and with fewer than three footholds [rad].
+/// Least angle by which the rover would have to turn about a line between two neighbouring
+/// footholds until its centre of mass is above it (E. G. Papadopoulos, D. A. Rey, ICRA 1996); 0
+/// where it would tip, and with fewer than three footholds [rad].
 double tipOverAngle(const Vec3& centerOfMass, std::span<const Contact> contacts);
 
 }  // namespace simcore::statics

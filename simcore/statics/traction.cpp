@@ -386,8 +386,7 @@ double Traction::heaviest() const {
 }
 
 Forces Traction::under(const std::vector<double>& torques) const {
-    const VectorXd given =
-        VectorXd::Map(torques.data(), static_cast<Eigen::Index>(torques.size()));
+    const VectorXd given = VectorXd::Map(torques.data(), static_cast<Eigen::Index>(torques.size()));
     VectorXd unknowns = VectorXd::Zero(some_.size());
     unknowns.head(withoutTorque_.size()) = withoutTorque_ + perTorque_ * given;
     for (std::size_t w = 0; w < radii_.size(); ++w) {
@@ -455,8 +454,7 @@ Solution Traction::equalTorque() const {
     if (rows > 0 && motions_.cols() > 0) {
         Eigen::ColPivHouseholderQR<MatrixXd> qr(differences.transpose());
         qr.setThreshold(kDependent);
-        const MatrixXd q =
-            qr.householderQ() * MatrixXd::Identity(motions_.cols(), motions_.cols());
+        const MatrixXd q = qr.householderQ() * MatrixXd::Identity(motions_.cols(), motions_.cols());
         const VectorXd step = differences.completeOrthogonalDecomposition().solve(wanted);
         if ((differences * step - wanted).cwiseAbs().maxCoeff() > kBalanced * scale_) {
             return solution;

@@ -59,8 +59,8 @@ class Traction {
     /// Dimension of the space of solutions.
     int dimension() const { return static_cast<int>(motions_.cols()); }
 
-    /// The forces with the same torque at every wheel that touches; where the contact set leaves some
-    /// open, those that ask the least friction. None when no equal torque holds the rover.
+    /// The forces with the same torque at every wheel that touches; where the contact set leaves
+    /// some open, those that ask the least friction. None when no equal torque holds the rover.
     Solution equalTorque() const;
 
     /// Torques proportional to load times radius, iterated with the loads they make (Lamon et al.
@@ -74,8 +74,9 @@ class Traction {
     /// there are no such torques.
     Solution best(Objective objective, double tolerance = 1e-8) const;
 
-    /// The forces at the contacts when the wheels have these torques, one a wheel; least in norm where
-    /// the contact set leaves some open, nearest to balance where these torques do not hold the rover.
+    /// The forces at the contacts when the wheels have these torques, one a wheel; least in norm
+    /// where the contact set leaves some open, nearest to balance where these torques do not hold
+    /// the rover.
     Forces under(const std::vector<double>& torques) const;
 
     /// Largest part of M U - R over the largest of R [-].

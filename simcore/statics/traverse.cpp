@@ -76,8 +76,8 @@ class Creep {
             sample.way = way;
             sample.distance = distanceOf(pose);
             sample.pose = pose;
-            sample.climbs = !result.samples.empty() &&
-                            pose.potential > result.samples.back().pose.potential;
+            sample.climbs =
+                !result.samples.empty() && pose.potential > result.samples.back().pose.potential;
             if (request_.study) {
                 sample.study =
                     studyPose(solver_.model(), pose, request_.contacts, request_.backwards, false);

@@ -53,9 +53,9 @@ struct Traverse {
     double radius = 0.0;  ///< least of the wheels [m]
 };
 
-/// Follows a rover along its own motion: not over a grid in x, since at a wall its front wheel climbs
-/// while the chassis hardly moves. Wheels that meet, leave, lift or drop are located to 1e-7 m of
-/// way.
+/// Follows a rover along its own motion: not over a grid in x, since at a wall its front wheel
+/// climbs while the chassis hardly moves. Wheels that meet, leave, lift or drop are located to 1e-7
+/// m of way.
 /// @param watch  is given each sample; false stops
 Traverse traverse(PoseSolver& solver, const TraverseRequest& request,
                   const std::function<bool(const TraverseSample&)>& watch = {});

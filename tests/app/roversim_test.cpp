@@ -90,19 +90,26 @@ TEST_F(RoversimTest, HelpAndVersionSucceed) {
 
 TEST_F(RoversimTest, WrongUseIsTwoAndSaysSoOnStderr) {
     for (const std::string& arguments :
-         {std::string(), std::string("fly"), std::string("mobility"),
-          "mobility --model loose " + shipped("solero"), "mobility --wings " + shipped("solero"),
-          "mobility --set wheel_radius " + shipped("solero"), "run " + shipped("solero"),
+         {std::string(),
+          std::string("fly"),
+          std::string("mobility"),
+          "mobility --model loose " + shipped("solero"),
+          "mobility --wings " + shipped("solero"),
+          "mobility --set wheel_radius " + shipped("solero"),
+          "run " + shipped("solero"),
           "run --scenario flat --mu -1 " + shipped("solero"),
           "run --scenario flat --engine bullet " + shipped("solero"),
           "statics --contact front " + shipped("solero"),
           "statics --contact front=steep " + shipped("solero"),
-          "statics --pose settled " + shipped("solero"), "statics --along " + shipped("solero"),
+          "statics --pose settled " + shipped("solero"),
+          "statics --along " + shipped("solero"),
           "statics --scenario step " + shipped("solero"),
           "statics --scenario step --along --contact front=90 " + shipped("solero"),
           "statics --climb 0 " + shipped("solero"),
-          "statics --contacts 15 " + shipped("solero"), std::string("reproduce moons"),
-          std::string("reproduce profiles --seeds 5..1"), std::string("reproduce profiles --mu 0"),
+          "statics --contacts 15 " + shipped("solero"),
+          std::string("reproduce moons"),
+          std::string("reproduce profiles --seeds 5..1"),
+          std::string("reproduce profiles --mu 0"),
           std::string("reproduce profiles --controllers manual")}) {
         const Outcome outcome = roversim(arguments);
         EXPECT_EQ(outcome.code, 2) << arguments;
@@ -168,8 +175,8 @@ TEST_F(RoversimTest, MobilityTellsMovedPoseLoopsAndReactions) {
 }
 
 TEST_F(RoversimTest, StaticsOnAScenariosGround) {
-    const Outcome settled = roversim("statics --json --scenario step --pose settled --x 0.3 " +
-                                     shipped("solero"));
+    const Outcome settled =
+        roversim("statics --json --scenario step --pose settled --x 0.3 " + shipped("solero"));
     ASSERT_EQ(settled.code, 0) << settled.err;
     const json standing = json::parse(settled.out);
     EXPECT_EQ(standing.at("pose").at("standing"), "stands");
@@ -178,8 +185,8 @@ TEST_F(RoversimTest, StaticsOnAScenariosGround) {
     EXPECT_LT(standing.at("optimal").at("mu_required").get<double>(), 1e-6);
 
     const std::string table = (folder_ / "along.csv").string();
-    const Outcome along = roversim("statics --json --scenario step --along --csv '" + table +
-                                   "' " + shipped("solero"));
+    const Outcome along = roversim("statics --json --scenario step --along --csv '" + table + "' " +
+                                   shipped("solero"));
     ASSERT_EQ(along.code, 0) << along.err;
     const json way = json::parse(along.out);
     EXPECT_EQ(way.at("end"), "arrived");

@@ -91,9 +91,9 @@ TEST(ComparisonTest, GroundsAreSplitByWhatStaticsRequires) {
 
 // Nobody slips: no victory.
 TEST(ComparisonTest, LessThanAMillimetreIsATie) {
-    const Comparison found =
-        first(planOf(TerrainSet::Profiles, 1), {outcome(1, ControllerKind::EqualTorque, 1e-5),
-                                                outcome(1, ControllerKind::Speed, 6e-4)});
+    const Comparison found = first(
+        planOf(TerrainSet::Profiles, 1),
+        {outcome(1, ControllerKind::EqualTorque, 1e-5), outcome(1, ControllerKind::Speed, 6e-4)});
     EXPECT_EQ(found.slip.wins, 0);
     EXPECT_EQ(found.slip.ties, 1);
     EXPECT_DOUBLE_EQ(found.slip.meanRatio, 1.0);

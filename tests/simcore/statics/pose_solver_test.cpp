@@ -40,7 +40,8 @@ double gapTo(const std::vector<Eigen::Vector2d>& profile, const Vec3& center, do
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
         const Eigen::Vector2d along = profile[i + 1] - profile[i];
-        const double share = std::clamp((c - profile[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        const double share =
+            std::clamp((c - profile[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
         least = std::min(least, (profile[i] + share * along - c).norm());
     }
     return least - radius;
@@ -61,8 +62,9 @@ TEST(PoseSolverTest, LevelGroundKeepsTheDrawnPose) {
         EXPECT_NEAR(chassis.position.x(), 0.3, 1e-9) << name;
         EXPECT_NEAR(chassis.position.y(), -0.2, 1e-9) << name;
         EXPECT_NEAR(chassis.position.z(), 0.0, 1e-7) << name;
-        EXPECT_LT((chassis.rotation * Vec3::UnitX() - Vec3(std::cos(0.7), std::sin(0.7), 0.0)).norm(),
-                  1e-6)
+        EXPECT_LT(
+            (chassis.rotation * Vec3::UnitX() - Vec3(std::cos(0.7), std::sin(0.7), 0.0)).norm(),
+            1e-6)
             << name;
     }
 }
@@ -97,14 +99,12 @@ TEST(PoseSolverTest, StandsAnywhereOnRoughProfiles) {
             ASSERT_EQ(pose.standing, Standing::Stands) << name << " at " << x;
             for (std::size_t w = 0; w < run.mechanism.wheels.size(); ++w) {
                 const mechanism::Wheel& wheel = run.mechanism.wheels[w];
-                const double gap =
-                    gapTo(run.terrain->profile(),
-                          pose.bodies[static_cast<std::size_t>(wheel.body)] * wheel.center,
-                          wheel.radius);
-                const bool touches =
-                    std::any_of(pose.footholds.begin(), pose.footholds.end(), [&](const auto& f) {
-                        return f.contact.wheel == static_cast<int>(w);
-                    });
+                const double gap = gapTo(
+                    run.terrain->profile(),
+                    pose.bodies[static_cast<std::size_t>(wheel.body)] * wheel.center, wheel.radius);
+                const bool touches = std::any_of(
+                    pose.footholds.begin(), pose.footholds.end(),
+                    [&](const auto& f) { return f.contact.wheel == static_cast<int>(w); });
                 EXPECT_GT(gap, -1e-5) << name << " at " << x << ' ' << wheel.name;
                 if (touches) {
                     EXPECT_LT(gap, 1e-5) << name << " at " << x << ' ' << wheel.name;
@@ -137,8 +137,7 @@ TEST(PoseSolverTest, ColdAndWarmStartsAgree) {
 
 TEST(PoseSolverTest, SaysWhyThereIsNoPose) {
     const mechanism::Mechanism solero = testsupport::mechanismOf("solero");
-    const terrain::Terrain small =
-        terrain::Terrain::extruded({{-1.0, 0.0}, {1.0, 0.0}}, -1.0, 1.0);
+    const terrain::Terrain small = terrain::Terrain::extruded({{-1.0, 0.0}, {1.0, 0.0}}, -1.0, 1.0);
     StaticModel model(solero, Model::Built);
     PoseSolver solver(model, small);
     EXPECT_EQ(solver.settle({5.0, 0.0, 0.0}).standing, Standing::NoGround);
@@ -195,9 +194,8 @@ TEST(PoseSolverTest, AgreesWithTheEngineAtRest) {
         std::vector<Contact> contacts = rollingAlong(pose);
         dynamics::TreeState state = pose.state;
         model.place(state);
-        const Traction traction(
-            model.equilibrium(contacts, ContactSet::Free, dynamics::kGravity), run.mechanism,
-            contacts);
+        const Traction traction(model.equilibrium(contacts, ContactSet::Free, dynamics::kGravity),
+                                run.mechanism, contacts);
         std::vector<double> torques;
         for (const run::WheelState& wheel : end.wheels) {
             torques.push_back(wheel.torqueApplied);

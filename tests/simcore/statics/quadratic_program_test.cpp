@@ -10,8 +10,7 @@ using namespace simcore::statics;
 namespace {
 
 Eigen::MatrixXd randomMatrix(Random& random, Eigen::Index rows, Eigen::Index cols) {
-    return Eigen::MatrixXd::NullaryExpr(rows, cols,
-                                        [&] { return random.uniform(-1.0, 1.0); });
+    return Eigen::MatrixXd::NullaryExpr(rows, cols, [&] { return random.uniform(-1.0, 1.0); });
 }
 
 /// Feasible: the bounds are met by some x.
@@ -32,8 +31,7 @@ QuadraticProgram randomProgram(int seed, Eigen::Index n, Eigen::Index m, int equ
 }
 
 void expectConditionsOfOptimum(const QuadraticProgram& p, const Optimum& o) {
-    const Eigen::VectorXd gradient =
-        p.hessian * o.x - p.right - p.rows.transpose() * o.multipliers;
+    const Eigen::VectorXd gradient = p.hessian * o.x - p.right - p.rows.transpose() * o.multipliers;
     EXPECT_LT(gradient.cwiseAbs().maxCoeff(), 1e-8);
     const Eigen::VectorXd room = p.rows * o.x - p.bounds;
     for (Eigen::Index i = 0; i < room.size(); ++i) {

@@ -115,9 +115,9 @@ TEST(TraverseTest, EndsOneStepHigher) {
                 mechanism.mass() * dynamics::kGravity * 0.08, 1e-4);
 }
 
-// What the paper's torque controller needs to climb, with perfect sensors and no rolling resistance,
-// is what statics says. Slowly: at 0.1 m/s its motion carries it over the 5 cm at a friction that is
-// 12 % lower.
+// What the paper's torque controller needs to climb, with perfect sensors and no rolling
+// resistance, is what statics says. Slowly: at 0.1 m/s its motion carries it over the 5 cm at a
+// friction that is 12 % lower.
 TEST(TraverseTest, RequiredFrictionIsWhatTheTorqueControllerNeeds) {
     for (const double height : {0.05, 0.08}) {
         const double required = overStep("solero", height).frictionRequired();
