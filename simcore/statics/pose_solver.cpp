@@ -102,7 +102,7 @@ PoseSolver::PoseSolver(StaticModel& model, const terrain::Terrain& terrain, int 
 
 /// How the chassis is turned when it is even with the ground under its wheels.
 Eigen::Quaterniond PoseSolver::evenWith(const Place& place) const {
-    const Eigen::Quaterniond heading(Eigen::AngleAxisd(place.heading, Vec3::UnitZ()));
+    Eigen::Quaterniond heading(Eigen::AngleAxisd(place.heading, Vec3::UnitZ()));
     const Vec3 at(place.x, place.y, 0.0);
     // Plane a + b x + c y through the heights under the wheels, in the directions of the heading.
     MatrixXd rows(0, 3);

@@ -117,6 +117,7 @@ class Centers {
         const auto c = static_cast<Eigen::Index>(holding.size());
         const auto h = static_cast<Eigen::Index>(limits.size());
         VectorXd multipliers = VectorXd::Zero(c + h);
+        double open = 0.0;  // of the conditions
         double scale = 1e-12;
         for (const Cone* cone : holding) {
             scale = std::max(scale, cone->vector(y).norm());
@@ -158,6 +159,7 @@ class Centers {
             if (!step.allFinite()) {
                 return false;
             }
+            open = (matrix * step - right).lpNorm<Eigen::Infinity>();
             y += step.head(n);
             s += step[n];
             multipliers = step.tail(c + h);
@@ -178,7 +180,8 @@ class Centers {
         }
         const double least = multipliers.size() > 0 ? multipliers.minCoeff() : 0.0;
         const double most = multipliers.size() > 0 ? multipliers.maxCoeff() : 0.0;
-        return reached(y) <= std::min(before, s + 1e-10) + 1e-12 && least >= -1e-9 * most;
+        return open < 1e-7 && reached(y) <= std::min(before, s + 1e-10) + 1e-12 &&
+               least >= -1e-9 * most;
     }
 
     /// Sum of -log of how far each is from its border; infinite outside.
