@@ -479,7 +479,7 @@ Solution Traction::equalTorque() const {
 }
 
 Solution Traction::fixedPoint() const {
-    const Solution none;
+    Solution none;
     const auto wheels = static_cast<Eigen::Index>(radii_.size());
     VectorXd shares = VectorXd::Ones(wheels);
     std::optional<VectorXd> unknowns = withShares(shares);
