@@ -587,12 +587,12 @@ Solution Traction::best(Objective objective, double tolerance) const {
         only.friction = only.forces.maxRatio();
         return only;
     }
-    const Solution start = objective == Objective::Friction ? fixedPoint() : Solution{};
+    Solution start = objective == Objective::Friction ? fixedPoint() : Solution{};
     VectorXd y = VectorXd::Zero(motions_.cols());
     if (start.way != Way::None) {
         y = motions_.transpose() * (unknownsOf(start.forces) - some_);
     }
-    const Solution found = search(some_, motions_, y, objective, tolerance);
+    Solution found = search(some_, motions_, y, objective, tolerance);
     if (start.way != Way::None &&
         (found.way == Way::None || start.friction <= found.friction + tolerance)) {
         return start;
