@@ -55,7 +55,7 @@ class Centers {
     /// Centers until it shows which cones and half-spaces hold the minimum, then Newton's method on
     /// these alone; to `tolerance` by centers where that does not do.
     void solve(VectorXd& y, double tolerance) const {
-        for (double coarse = 1e-2; coarse > 2.0 * tolerance; coarse *= 0.1) {
+        for (double coarse = 0.1; coarse > 2.0 * tolerance; coarse *= 0.1) {
             minimise(y, coarse * std::max(1e-3, reached(y)));
             VectorXd sharp = y;
             if (sharpen(sharp)) {
@@ -66,39 +66,17 @@ class Centers {
         minimise(y, tolerance);
     }
 
-    /// The least s that y is allowed with.
-    double reached(const VectorXd& y) const {
-        double s = 0.0;
-        for (const Cone& cone : cones) {
-            s = std::max(s, cone.vector(y).norm() / cone.reach(y));
-        }
-        return s;
-    }
-
-    /// From a `y` inside all of them, to `tolerance` of s, or until s is below `enough`.
-    void minimise(VectorXd& y, double tolerance,
-                  double enough = -std::numeric_limits<double>::infinity()) const {
-        double allowed = 1.5 * reached(y) + tolerance;
-        for (int k = 0; k < kMaxCenters; ++k) {
-            center(y, allowed);
-            const double s = reached(y);
-            if (s <= enough || s <= tolerance) {
-                return;
-            }
-            const double next = s + kBack * (allowed - s);
-            if (allowed - next < 0.05 * tolerance) {
-                return;
-            }
-            allowed = next;
-        }
-    }
-
-  private:
     /// Newton's method on the conditions of Karush, Kuhn and Tucker of what is near its border.
     /// False, with `y` spoilt, where that is not the minimum.
     bool sharpen(VectorXd& y) const {
         constexpr double kNear = 0.05;
         constexpr int kMost = 12;
+        constexpr double kSmall = 1e-11;
+        for (const Cone& cone : cones) {
+            if (!(cone.reach(y) > 0.0)) {
+                return false;
+            }
+        }
         const double before = reached(y);
         double s = before;
         std::vector<const Cone*> holding;
@@ -155,7 +133,10 @@ class Centers {
                 right[n + 1 + c + i] = half.slope.dot(y) + half.start;
             }
             // Unknown are the steps of y and s, and the multipliers themselves.
-            const VectorXd step = matrix.completeOrthogonalDecomposition().solve(right);
+            // What the conditions leave open stays where it is.
+            matrix.diagonal().head(n).array() += kSmall;
+            matrix.diagonal().tail(c + h).array() -= kSmall;
+            const VectorXd step = matrix.partialPivLu().solve(right);
             if (!step.allFinite()) {
                 return false;
             }
@@ -184,6 +165,34 @@ class Centers {
                least >= -1e-9 * most;
     }
 
+    /// The least s that y is allowed with.
+    double reached(const VectorXd& y) const {
+        double s = 0.0;
+        for (const Cone& cone : cones) {
+            s = std::max(s, cone.vector(y).norm() / cone.reach(y));
+        }
+        return s;
+    }
+
+    /// From a `y` inside all of them, to `tolerance` of s, or until s is below `enough`.
+    void minimise(VectorXd& y, double tolerance,
+                  double enough = -std::numeric_limits<double>::infinity()) const {
+        double allowed = 1.5 * reached(y) + tolerance;
+        for (int k = 0; k < kMaxCenters; ++k) {
+            center(y, allowed);
+            const double s = reached(y);
+            if (s <= enough || s <= tolerance) {
+                return;
+            }
+            const double next = s + kBack * (allowed - s);
+            if (allowed - next < 0.05 * tolerance) {
+                return;
+            }
+            allowed = next;
+        }
+    }
+
+  private:
     /// Sum of -log of how far each is from its border; infinite outside.
     double barrier(const VectorXd& y, double s) const {
         double sum = 0.0;
@@ -603,10 +612,6 @@ Solution Traction::best(Objective objective, double tolerance) const {
 /// The best forces some + motions y for an objective, from near `y`.
 Solution Traction::search(const VectorXd& some, const MatrixXd& motions, VectorXd y,
                           Objective objective, double tolerance) const {
-    Solution none;
-    if (!findInterior(some, motions, y)) {
-        return none;
-    }
     Centers centers;
     const auto rowOf = [&](int column) { return motions.row(column); };
     for (std::size_t i = 0; i < wheelOf_.size(); ++i) {
@@ -661,7 +666,14 @@ Solution Traction::search(const VectorXd& some, const MatrixXd& motions, VectorX
         all.start = 1.0;
         centers.cones.push_back(std::move(all));
     }
-    centers.solve(y, tolerance);
+    VectorXd sharp = y;
+    if (centers.sharpen(sharp)) {
+        y = sharp;
+    } else if (findInterior(some, motions, y)) {
+        centers.solve(y, tolerance);
+    } else {
+        return {};
+    }
     Solution found;
     found.way = Way::Search;
     found.forces = forcesOf(some + motions * y);
