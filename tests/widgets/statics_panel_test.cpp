@@ -135,13 +135,13 @@ TEST_F(StaticsPanelTest, BeginsAtTheHardestPlaceOfTheWholeWay) {
 }
 
 TEST_F(StaticsPanelTest, VerdictComparesWithTheFrictionOfTheRunBar) {
-    EXPECT_THAT(text("staticsVerdict"), testing::StartsWith("Enough: the ground gives 0.70"));
+    EXPECT_THAT(text("staticsVerdict"), testing::StartsWith("Enough:\nthe ground gives 0.70"));
     auto* friction = find<QWidget>("friction");
     QTest::keyClick(friction, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(friction, "0.1");
     QTest::keyClick(friction, Qt::Key_Return);
     ASSERT_TRUE(waitForWay());
-    EXPECT_THAT(text("staticsVerdict"), testing::StartsWith("Not enough: the ground gives 0.10"));
+    EXPECT_THAT(text("staticsVerdict"), testing::StartsWith("Not enough:\nthe ground gives 0.10"));
 }
 
 TEST_F(StaticsPanelTest, SliderMovesLoadsAndPicture) {

@@ -249,9 +249,9 @@ void StaticsPanel::showVerdict() {
     }
     friction_->setText(tr("μ* %1").arg(numberText(required, 2)));
     if (required <= ground) {
-        setVerdict("good", tr("Enough: the ground gives %1").arg(numberText(ground, 2)));
+        setVerdict("good", tr("Enough:\nthe ground gives %1").arg(numberText(ground, 2)));
     } else {
-        setVerdict("bad", tr("Not enough: the ground gives %1").arg(numberText(ground, 2)));
+        setVerdict("bad", tr("Not enough:\nthe ground gives %1").arg(numberText(ground, 2)));
     }
 }
 
@@ -282,7 +282,7 @@ void StaticsPanel::showNotes() {
     equal_->setText(equalSentence(sample.study));
     equal_->setVisible(sample.study.equalTorque.has_value());
     tipOver_->setText(
-        tr("It tips over after %1° more.").arg(numberText(sample.study.tipOver * kDegrees, 1)));
+        tr("Tip-over angle %1°.").arg(numberText(sample.study.tipOver * kDegrees, 1)));
 }
 
 }  // namespace widgets

@@ -13,6 +13,9 @@ using simcore::statics::TraverseEnd;
 
 namespace {
 
+/// Less is shown as none [-].
+constexpr double kNoFriction = 0.005;
+
 QString tr(const char* text) {
     return QCoreApplication::translate("widgets::StaticsPanel", text);
 }
@@ -103,8 +106,8 @@ QString limitSentence(const simcore::statics::Study& study) {
     const std::vector<int> limiting = limitingWheels(study);
     const auto touching = std::count_if(study.wheels.begin(), study.wheels.end(),
                                         [](const auto& wheel) { return wheel.touches; });
-    if (limiting.empty()) {
-        return tr("No wheel limits.");
+    if (study.frictionRequired < kNoFriction) {
+        return tr("No wheel needs friction here.");
     }
     if (static_cast<long>(limiting.size()) == touching) {
         return tr("All wheels that touch limit alike.");

@@ -17,6 +17,8 @@ using simcore::statics::WheelStudy;
 
 namespace {
 
+/// Torques far below it have no bar, however small all are [N m].
+constexpr double kLeastScale = 0.05;
 constexpr int kBarRole = Qt::UserRole;       ///< part of the bar that is filled, 0 to 1
 constexpr int kMarkRole = Qt::UserRole + 1;  ///< place of a mark on the bar, 0 to 1
 constexpr int kColorRole = Qt::UserRole + 2;
@@ -107,7 +109,7 @@ WheelTable::WheelTable(QWidget* parent) : QTreeWidget(parent) {
     setFrameShape(QFrame::NoFrame);
     setSelectionMode(QAbstractItemView::NoSelection);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setTextElideMode(Qt::ElideMiddle);
+    setTextElideMode(Qt::ElideLeft);  // names begin alike
     setItemDelegate(new BarDelegate(this));
     header()->setStretchLastSection(false);
     header()->setSectionsMovable(false);
@@ -123,7 +125,7 @@ WheelTable::WheelTable(QWidget* parent) : QTreeWidget(parent) {
                                              fontMetrics().horizontalAdvance(head)));
     };
     widen(Angle, "−90°");
-    widen(Load, "000.0 N");
+    widen(Load, "00.0 N");
     widen(Friction, "000 %");
     widen(Torque, "−00.00");
 }
@@ -168,7 +170,7 @@ void WheelTable::showWheel(QTreeWidgetItem* item, const Study& study, const Whee
     item->setText(Wheel, name);
     item->setToolTip(Wheel, name);
     put(Angle, wheel.touches, numberText(wheel.contactAngle * kDegrees, 0) + "°");
-    put(Load, held, numberText(wheel.normal, 1) + " N");
+    put(Load, held, numberText(wheel.normal, wheel.normal < 100.0 ? 1 : 0) + " N");
     put(Friction, held && std::isfinite(used), numberText(100.0 * used, 0) + " %");
     put(Torque, held, numberText(wheel.torque, 2));
     item->setToolTip(
@@ -184,7 +186,7 @@ void WheelTable::showWheel(QTreeWidgetItem* item, const Study& study, const Whee
 void WheelTable::showBars(QTreeWidgetItem* item, const Study& study, const WheelStudy& wheel,
                           double used) {
     double heaviest = 0.0;
-    double strongest = study.equalTorque.value_or(0.0);
+    double strongest = std::max(kLeastScale, study.equalTorque.value_or(0.0));
     for (const WheelStudy& one : study.wheels) {
         heaviest = std::max(heaviest, one.normal);
         strongest = std::max(strongest, std::abs(one.torque));
@@ -197,7 +199,7 @@ void WheelTable::showBars(QTreeWidgetItem* item, const Study& study, const Wheel
     item->setData(Friction, kBarRole, std::isfinite(used) ? part(used, 1.0) : 0.0);
     item->setData(Torque, kBarRole, part(std::abs(wheel.torque), strongest));
     item->setData(Torque, kMarkRole,
-                  wheel.touches && study.equalTorque && strongest > 0.0
+                  wheel.touches && study.equalTorque
                       ? QVariant(*study.equalTorque / strongest)
                       : QVariant());
 }

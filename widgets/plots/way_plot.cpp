@@ -143,7 +143,7 @@ void WayPlot::applyColors() {
     marks_->setPen(QPen(text, 1.0));
     marks_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssTriangle, text, text, 5));
     ground_->setPen(QPen(text, 1.0, Qt::DashLine));
-    cursor_->setPen(QPen(palette().color(QPalette::Link), 1.5));
+    cursor_->setPen(QPen(faded(text, 0.75F), 1.0));
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

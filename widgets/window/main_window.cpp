@@ -147,7 +147,7 @@ void MainWindow::makeDocks() {
     layout->addWidget(runBar_);
     layout->addWidget(plots_, 1);
     QDockWidget* runDock = add(Qt::BottomDockWidgetArea, tr("Run and plots"), "runDock", run);
-    resizeDocks({rover, mobilityDock_}, {340, 330}, Qt::Horizontal);
+    resizeDocks({rover, mobilityDock_}, {340, 350}, Qt::Horizontal);
     resizeDocks({runDock}, {300}, Qt::Vertical);
     // Arrow keys step through the run here, and do their usual work elsewhere.
     for (const char* name : {"step", "stepBack"}) {
