@@ -40,7 +40,7 @@ class StaticsPanelTest : public testsupport::StudioTest {
         return waitUntil([&] { return !statics().isWorking(); });
     }
 
-    const std::vector<TraverseSample>& samples() { return statics().whole()->traverse.samples; }
+    const std::vector<TraverseSample>& samples() { return statics().way()->traverse.samples; }
 
     QSlider* slider() { return find<QSlider>("staticsPlace"); }
 
@@ -221,6 +221,28 @@ TEST_F(StaticsPanelTest, LatestOfManyEditsWins) {
     ASSERT_TRUE(waitForWay());
     EXPECT_DOUBLE_EQ(statics().current()->run->mechanism.wheels.front().radius, 0.057);
     EXPECT_EQ(text("staticsFriction"), frictionText(requiredByWay()));
+}
+
+// A high wall takes minutes: what is known of the way is shown meanwhile, and an edit ends it.
+TEST_F(StaticsPanelTest, LongStudyIsShownAsItGoesAndGivesWayToTheNext) {
+    auto next = window->document().project();
+    for (auto& scenario : next.scenarios) {
+        scenario.terrain.height = 0.6;
+    }
+    window->document().edit("Raise", next);
+    const auto partOfTheWay = [&] {
+        return statics().isWorking() && statics().way() == statics().current() &&
+               statics().way()->stage == widgets::StaticsFindings::Stage::Part;
+    };
+    ASSERT_TRUE(waitUntil(partOfTheWay));
+    slider()->setValue(3);
+    EXPECT_EQ(statics().place(), 3);
+    EXPECT_LT(distanceFromShown(), 1e-9);
+    EXPECT_THAT(text("staticsWhole"), testing::HasSubstr("Working"));
+    press(Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_TRUE(waitForWay());
+    EXPECT_EQ(statics().way()->stage, widgets::StaticsFindings::Stage::Whole);
+    EXPECT_EQ(statics().place(), 3);
 }
 
 TEST_F(StaticsPanelTest, PlaceStaysWhereTheSliderWasThroughAnEdit) {

@@ -156,9 +156,11 @@ QWidget* StaticsPanel::makeDetails() {
     auto* details = new QWidget;
     auto* layout = new QVBoxLayout(details);
     layout->setContentsMargins(0, 0, 0, 4);
-    layout->setSpacing(4);
+    layout->setSpacing(0);
     layout->addWidget(limit_);
+    layout->addSpacing(4);
     layout->addWidget(wheels_);
+    layout->addSpacing(4);
     layout->addWidget(notes_);
     layout->addWidget(equal_);
     layout->addWidget(tipOver_);
@@ -187,25 +189,25 @@ void StaticsPanel::showFindings() {
     }
     if (session_->isWorking()) {
         whole_->setText(tr("Working out the way..."));
-    } else if (session_->whole() != nullptr) {
-        whole_->setText(waySentence(*session_->whole()));
+    } else if (session_->way() != nullptr) {
+        whole_->setText(waySentence(*session_->way()));
     }
-    plot_->setCurrent(!session_->isWorking());
-    place_->setEnabled(session_->whole() != nullptr);
-    hardest_->setEnabled(session_->whole() != nullptr);
+    plot_->setCurrent(session_->way() == session_->current());
+    place_->setEnabled(session_->way() != nullptr);
+    hardest_->setEnabled(session_->way() != nullptr);
     showPlot();
     showPlace();
 }
 
 void StaticsPanel::showPlot() {
-    const StaticsFindings* whole = session_->whole();
-    if (whole == plotted_) {
+    const StaticsFindings* way = session_->way();
+    if (way != nullptr && way == plotted_) {
         return;
     }
-    plotted_ = whole;
+    plotted_ = way;
     std::vector<WayPlot::Point> points;
-    if (whole != nullptr) {
-        for (const TraverseSample& sample : whole->traverse.samples) {
+    if (way != nullptr) {
+        for (const TraverseSample& sample : way->traverse.samples) {
             points.push_back({sample.way, sample.study.frictionRequired, sample.climbs,
                               sample.study.feasible, eventsOf(sample)});
         }
@@ -247,7 +249,7 @@ void StaticsPanel::showVerdict() {
                                                              : tr("The rover sits on its body"));
         return;
     }
-    friction_->setText(tr("μ* %1").arg(numberText(required, 2)));
+    friction_->setText(frictionText(required));
     if (required <= ground) {
         setVerdict("good", tr("Enough:\nthe ground gives %1").arg(numberText(ground, 2)));
     } else {
@@ -272,11 +274,7 @@ void StaticsPanel::showNotes() {
     if (!sample.events.empty()) {
         notes << tr("Here: %1.").arg(eventsOf(sample));
     }
-    for (const std::string& flag : sample.study.flags) {
-        if (const QString sentence = flagSentence(flag); !sentence.isEmpty()) {
-            notes << sentence;
-        }
-    }
+    notes << flagSentences(sample.study.flags);
     notes_->setText(notes.join('\n'));
     notes_->setVisible(!notes.isEmpty());
     equal_->setText(equalSentence(sample.study));

@@ -1,10 +1,10 @@
 #include "widgets/panels/statics_text.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace widgets {
 
@@ -15,6 +15,9 @@ namespace {
 
 /// Less is shown as none [-].
 constexpr double kNoFriction = 0.005;
+
+/// No ground gives more [-].
+constexpr double kMostFriction = 10.0;
 
 QString tr(const char* text) {
     return QCoreApplication::translate("widgets::StaticsPanel", text);
@@ -37,37 +40,42 @@ QString standingReason(Standing why) {
 
 }  // namespace
 
-QString flagSentence(const std::string& flag) {
+QStringList flagSentences(const std::vector<std::string>& flags) {
     struct Sentence {
         const char* flag;
         const char* text;
     };
 
     static constexpr std::array<Sentence, 8> kSentences{{
-        {"hanging", QT_TRANSLATE_NOOP("widgets::StaticsPanel", "%1 hangs in the air.")},
-        {"lifting", QT_TRANSLATE_NOOP("widgets::StaticsPanel", "%1 is about to lift.")},
-        {"torque-limit",
-         QT_TRANSLATE_NOOP("widgets::StaticsPanel", "%1 has its motor at its torque limit.")},
-        {"touching", QT_TRANSLATE_NOOP("widgets::StaticsPanel", "%1 touches the ground.")},
-        {"stop", QT_TRANSLATE_NOOP("widgets::StaticsPanel", "%1 is at its stop.")},
         {"no-torques-hold-it",
          QT_TRANSLATE_NOOP("widgets::StaticsPanel", "No torques hold the rover here.")},
+        {"hanging", QT_TRANSLATE_NOOP("widgets::StaticsPanel", "Hangs in the air: %1.")},
+        {"lifting", QT_TRANSLATE_NOOP("widgets::StaticsPanel", "About to lift: %1.")},
+        {"torque-limit", QT_TRANSLATE_NOOP("widgets::StaticsPanel", "At the torque limit: %1.")},
+        {"touching", QT_TRANSLATE_NOOP("widgets::StaticsPanel", "Touches the ground: %1.")},
+        {"stop", QT_TRANSLATE_NOOP("widgets::StaticsPanel", "At its stop: %1.")},
         {"no-equal-torque",
          QT_TRANSLATE_NOOP("widgets::StaticsPanel", "No equal torque holds the rover here.")},
         {"equal-torque-lifts-a-wheel",
          QT_TRANSLATE_NOOP("widgets::StaticsPanel",
                            "With equal torques a wheel would have to pull on the ground.")},
     }};
-    const std::size_t blank = std::min(flag.find(' '), flag.size());
-    const std::string kind = flag.substr(0, blank);
-    for (const Sentence& sentence : kSentences) {
-        if (kind == sentence.flag) {
-            const QString text = tr(sentence.text);
-            return blank < flag.size() ? text.arg(QString::fromStdString(flag.substr(blank + 1)))
-                                       : text;
+    std::map<std::string, QStringList> named;
+    for (const std::string& flag : flags) {
+        const std::size_t blank = std::min(flag.find(' '), flag.size());
+        QStringList& names = named[flag.substr(0, blank)];
+        if (blank < flag.size()) {
+            names << QString::fromStdString(flag.substr(blank + 1));
         }
     }
-    return {};
+    QStringList sentences;
+    for (const Sentence& sentence : kSentences) {
+        if (const auto found = named.find(sentence.flag); found != named.end()) {
+            const QString text = tr(sentence.text);
+            sentences << (found->second.isEmpty() ? text : text.arg(found->second.join(", ")));
+        }
+    }
+    return sentences;
 }
 
 QString failureSentence(const StaticsFindings& failure) {
@@ -98,23 +106,29 @@ QString waySentence(const StaticsFindings& whole) {
             break;
     }
     const double friction = traverse.frictionRequired();
-    return std::isfinite(friction) ? tr("The whole way takes μ* %1.").arg(numberText(friction, 2))
-                                   : tr("No friction is enough for the whole way.");
+    return friction <= kMostFriction ? tr("The whole way takes %1.").arg(frictionText(friction))
+                                     : tr("No friction is enough for the whole way.");
 }
 
 QString limitSentence(const simcore::statics::Study& study) {
-    const std::vector<int> limiting = limitingWheels(study);
-    const auto touching = std::count_if(study.wheels.begin(), study.wheels.end(),
-                                        [](const auto& wheel) { return wheel.touches; });
     if (study.frictionRequired < kNoFriction) {
         return tr("No wheel needs friction here.");
     }
-    if (static_cast<long>(limiting.size()) == touching) {
+    const std::vector<int> limiting = limitingWheels(study);
+    QStringList names;
+    QStringList others;
+    for (std::size_t i = 0; i < study.wheels.size(); ++i) {
+        const bool limits =
+            std::find(limiting.begin(), limiting.end(), static_cast<int>(i)) != limiting.end();
+        if (study.wheels[i].touches) {
+            (limits ? names : others) << QString::fromStdString(study.wheels[i].name);
+        }
+    }
+    if (others.isEmpty()) {
         return tr("All wheels that touch limit alike.");
     }
-    QStringList names;
-    for (const int wheel : limiting) {
-        names << QString::fromStdString(study.wheels[static_cast<std::size_t>(wheel)].name);
+    if (names.size() > others.size()) {
+        return tr("All wheels that touch limit alike but %1.").arg(others.join(", "));
     }
     return names.size() == 1 ? tr("%1 limits.").arg(names.front())
                              : tr("%1 limit.").arg(names.join(", "));
@@ -125,9 +139,15 @@ QString equalSentence(const simcore::statics::Study& study) {
         return {};
     }
     const QString torque = numberText(*study.equalTorque, 2);
-    return std::isfinite(study.equalMaxRatio) ? tr("Equal torques: %1 N·m each, μ %2.")
-                                                    .arg(torque, numberText(study.equalMaxRatio, 2))
-                                              : tr("Equal torques: %1 N·m each.").arg(torque);
+    return study.equalMaxRatio <= kMostFriction
+               ? tr("Equal torques: %1 N·m each, μ %2.")
+                     .arg(torque, numberText(study.equalMaxRatio, 2))
+               : tr("Equal torques: %1 N·m each, no friction is enough.").arg(torque);
+}
+
+QString frictionText(double friction) {
+    return friction <= kMostFriction ? tr("μ* %1").arg(numberText(friction, 2))
+                                     : tr("μ* > %1").arg(numberText(kMostFriction, 0));
 }
 
 QString numberText(double value, int digits) {

@@ -1,15 +1,16 @@
 #pragma once
 
-#include <QString>
+#include <QStringList>
 #include <string>
+#include <vector>
 
 #include "widgets/session/statics_worker.h"
 
 /// What statics finds, in sentences.
 namespace widgets {
 
-/// Of a flag of a study; empty for one that only tells how it was found.
-QString flagSentence(const std::string& flag);
+/// Of the flags of a study that say more than how it was found.
+QStringList flagSentences(const std::vector<std::string>& flags);
 
 /// Why there is nothing to look at.
 QString failureSentence(const StaticsFindings& failure);
@@ -22,6 +23,9 @@ QString limitSentence(const simcore::statics::Study& study);
 
 /// What equal torques take; empty when none hold the rover.
 QString equalSentence(const simcore::statics::Study& study);
+
+/// "μ* 0.41".
+QString frictionText(double friction);
 
 /// A number with a true minus sign.
 QString numberText(double value, int digits);

@@ -126,7 +126,7 @@ WheelTable::WheelTable(QWidget* parent) : QTreeWidget(parent) {
     };
     widen(Angle, "−90°");
     widen(Load, "00.0 N");
-    widen(Friction, "000 %");
+    widen(Friction, ">999 %");
     widen(Torque, "−00.00");
 }
 
@@ -171,7 +171,8 @@ void WheelTable::showWheel(QTreeWidgetItem* item, const Study& study, const Whee
     item->setToolTip(Wheel, name);
     put(Angle, wheel.touches, numberText(wheel.contactAngle * kDegrees, 0) + "°");
     put(Load, held, numberText(wheel.normal, wheel.normal < 100.0 ? 1 : 0) + " N");
-    put(Friction, held && std::isfinite(used), numberText(100.0 * used, 0) + " %");
+    put(Friction, held && std::isfinite(used),
+        used < 9.995 ? numberText(100.0 * used, 0) + " %" : QString(">999 %"));
     put(Torque, held, numberText(wheel.torque, 2));
     item->setToolTip(
         Torque,
@@ -198,10 +199,9 @@ void WheelTable::showBars(QTreeWidgetItem* item, const Study& study, const Wheel
     item->setData(Load, kBarRole, part(wheel.normal, heaviest));
     item->setData(Friction, kBarRole, std::isfinite(used) ? part(used, 1.0) : 0.0);
     item->setData(Torque, kBarRole, part(std::abs(wheel.torque), strongest));
-    item->setData(Torque, kMarkRole,
-                  wheel.touches && study.equalTorque
-                      ? QVariant(*study.equalTorque / strongest)
-                      : QVariant());
+    item->setData(
+        Torque, kMarkRole,
+        wheel.touches && study.equalTorque ? QVariant(*study.equalTorque / strongest) : QVariant());
 }
 
 }  // namespace widgets

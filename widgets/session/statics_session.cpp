@@ -13,6 +13,10 @@ namespace {
 
 /// Edits that come faster are studied together.
 constexpr int kStudyDelay_ms = 60;
+/// After this the way so far is shown even where it ends before the place that is looked at.
+constexpr int kPatience_ms = 2000;
+/// Forces that ask for more are far longer than the picture [-].
+constexpr double kMostFrictionDrawn = 10.0;
 
 }  // namespace
 
@@ -64,8 +68,8 @@ void StaticsSession::setSubject(const simcore::project::Project& project,
 }
 
 void StaticsSession::forgetPlace() {
+    chosen_.reset();
     way_.reset();
-    whole_.reset();
     first_.reset();
     place_ = 0;
 }
@@ -75,9 +79,10 @@ void StaticsSession::begin() {
     working_ = true;
     subject_.number = ++number_;
     subject_.near.reset();
-    if (whole_ != nullptr) {
-        subject_.near = whole_->traverse.samples[static_cast<std::size_t>(place_)];
+    if (way_ != nullptr) {
+        subject_.near = way_->traverse.samples[static_cast<std::size_t>(place_)];
     }
+    since_.start();
     worker_->start(subject_);
     emit findingsChanged();
 }
@@ -86,39 +91,47 @@ void StaticsSession::take(const std::shared_ptr<const StaticsFindings>& findings
     if (findings->number != number_) {
         return;
     }
-    failure_.reset();
-    if (!findings->traverse.samples.empty()) {
-        (findings->whole ? whole_ : first_) = findings;
-    } else {
-        failure_ = findings;
-        whole_.reset();
-        first_.reset();
+    using Stage = StaticsFindings::Stage;
+    if (findings->stage == Stage::Part && !isWorthShowing(*findings)) {
+        return;
     }
-    if (findings->whole || failure_ != nullptr) {
-        working_ = false;
+    failure_.reset();
+    if (findings->traverse.samples.empty()) {
+        failure_ = findings;
+        way_.reset();
+        first_.reset();
+    } else if (findings->stage == Stage::Look) {
+        first_ = findings;
+    } else {
+        way_ = findings;
         first_.reset();
         choosePlace();
     }
+    working_ = findings->stage != Stage::Whole && failure_ == nullptr;
     emit findingsChanged();
     emit shownChanged();
 }
 
+bool StaticsSession::isWorthShowing(const StaticsFindings& part) const {
+    return way_ == nullptr || way_->number == part.number ||
+           part.traverse.samples.back().way >= shown()->way || since_.hasExpired(kPatience_ms);
+}
+
 void StaticsSession::choosePlace() {
-    if (whole_ != nullptr) {
-        place_ = way_ ? nearestSample(*way_) : static_cast<int>(whole_->traverse.hardest());
+    if (way_ != nullptr) {
+        place_ = chosen_ ? nearestSample(*chosen_) : static_cast<int>(way_->traverse.hardest());
     }
 }
 
 const StaticsFindings* StaticsSession::current() const {
-    return first_ != nullptr ? first_.get() : whole_.get();
+    return first_ != nullptr ? first_.get() : way_.get();
 }
 
 const TraverseSample* StaticsSession::shown() const {
     if (first_ != nullptr) {
         return &first_->traverse.samples.front();
     }
-    return whole_ != nullptr ? &whole_->traverse.samples[static_cast<std::size_t>(place_)]
-                             : nullptr;
+    return way_ != nullptr ? &way_->traverse.samples[static_cast<std::size_t>(place_)] : nullptr;
 }
 
 simcore::run::Snapshot StaticsSession::snapshot() const {
@@ -139,6 +152,9 @@ simcore::run::Snapshot StaticsSession::snapshot() const {
         wheel.normalForce = study.normal;
         wheel.tractionForce = study.traction;
         wheel.lateralForce = study.lateral;
+        if (sample.study.frictionRequired > kMostFrictionDrawn) {
+            continue;
+        }
         wheel.force = study.normal * contact.normal + study.traction * contact.forward +
                       study.lateral * contact.normal.cross(contact.forward);
         wheel.torqueApplied = study.torque;
@@ -147,28 +163,28 @@ simcore::run::Snapshot StaticsSession::snapshot() const {
 }
 
 void StaticsSession::setPlace(int sample) {
-    if (whole_ == nullptr) {
+    if (way_ == nullptr) {
         return;
     }
-    place_ = std::clamp(sample, 0, static_cast<int>(whole_->traverse.samples.size()) - 1);
-    way_ = whole_->traverse.samples[static_cast<std::size_t>(place_)].way;
+    place_ = std::clamp(sample, 0, static_cast<int>(way_->traverse.samples.size()) - 1);
+    chosen_ = way_->traverse.samples[static_cast<std::size_t>(place_)].way;
     lookAtPlace();
 }
 
 void StaticsSession::setWay(double way) {
-    if (whole_ != nullptr) {
+    if (way_ != nullptr) {
         setPlace(nearestSample(way));
     }
 }
 
 void StaticsSession::goToHardest() {
-    way_.reset();
+    chosen_.reset();
     choosePlace();
     lookAtPlace();
 }
 
 void StaticsSession::lookAtPlace() {
-    if (working_ && !delay_.isActive()) {
+    if (first_ != nullptr && !delay_.isActive()) {
         // The way is of an earlier design: the place chosen is looked at before it is made anew.
         delay_.start();
     }
@@ -176,7 +192,7 @@ void StaticsSession::lookAtPlace() {
 }
 
 int StaticsSession::nearestSample(double way) const {
-    const auto& samples = whole_->traverse.samples;
+    const auto& samples = way_->traverse.samples;
     const auto nearest = std::min_element(samples.begin(), samples.end(),
                                           [&](const TraverseSample& a, const TraverseSample& b) {
                                               return std::abs(a.way - way) < std::abs(b.way - way);

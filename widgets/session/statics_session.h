@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <memory>
@@ -13,7 +14,8 @@ namespace widgets {
 /// looked at.
 ///
 /// Lives on the GUI thread; a StaticsWorker works. Idle while nobody looks. After an edit the place
-/// looked at comes first and the way a moment later; until then whole() is the one before the edit.
+/// looked at comes first, then the way as far as it is known; until then way() is the one before
+/// the edit.
 class StaticsSession : public QObject {
     Q_OBJECT
   public:
@@ -38,8 +40,8 @@ class StaticsSession : public QObject {
     /// Why there is nothing to look at; null when there is, or nothing is known yet.
     const StaticsFindings* failure() const { return failure_.get(); }
 
-    /// The way that place() counts in; null when there is none.
-    const StaticsFindings* whole() const { return whole_.get(); }
+    /// The way that place() counts in, or what is known of it; null when there is none.
+    const StaticsFindings* way() const { return way_.get(); }
 
     /// What shown() belongs to; null when there is nothing to look at.
     const StaticsFindings* current() const;
@@ -48,7 +50,7 @@ class StaticsSession : public QObject {
     /// The same for the picture, with the forces of the best torques. Call when there is something.
     simcore::run::Snapshot snapshot() const;
 
-    /// Sample of whole() that is looked at.
+    /// Sample of way() that is looked at.
     int place() const { return place_; }
 
     void setPlace(int sample);
@@ -66,6 +68,8 @@ class StaticsSession : public QObject {
   private:
     void begin();
     void take(const std::shared_ptr<const StaticsFindings>& findings);
+    /// Whether the way so far goes as far as the place that is looked at, or takes long.
+    bool isWorthShowing(const StaticsFindings& part) const;
     int nearestSample(double way) const;
     void choosePlace();
     void lookAtPlace();
@@ -75,11 +79,12 @@ class StaticsSession : public QObject {
     bool pending_ = false;  ///< the subject has not been given to the worker
     int number_ = 0;        ///< of the last task
     QTimer delay_;
+    QElapsedTimer since_;  ///< the last task was given to the worker
     StaticsTask subject_;
-    std::shared_ptr<const StaticsFindings> whole_;
-    std::shared_ptr<const StaticsFindings> first_;  ///< while whole_ is of an earlier subject
+    std::shared_ptr<const StaticsFindings> way_;
+    std::shared_ptr<const StaticsFindings> first_;  ///< while way_ is of an earlier subject
     std::shared_ptr<const StaticsFindings> failure_;
-    std::optional<double> way_;  ///< that the user chose; the hardest place without one
+    std::optional<double> chosen_;  ///< way that the user chose [m]; the hardest place without one
     int place_ = 0;
     std::unique_ptr<StaticsWorker> worker_;  ///< last: it publishes until it is gone
 };

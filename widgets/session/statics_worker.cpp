@@ -1,6 +1,6 @@
 #include "widgets/session/statics_worker.h"
 
-#include <cmath>
+#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -11,11 +11,16 @@ using simcore::statics::PoseSolver;
 using simcore::statics::Standing;
 using simcore::statics::StandingPose;
 using simcore::statics::StaticModel;
-using simcore::statics::Traverse;
+using simcore::statics::TraverseEnd;
 using simcore::statics::TraverseRequest;
 using simcore::statics::TraverseSample;
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The way so far is published after this time, then ever more rarely: it is copied whole.
+constexpr Clock::duration kFirstPart = std::chrono::milliseconds(500);
 
 /// Near the earlier pose where the rover still has as many coordinates, else from above.
 StandingPose standNear(PoseSolver& solver, const std::optional<TraverseSample>& near) {
@@ -132,12 +137,27 @@ void StaticsWorker::study(const StaticsTask& task) {
         look->traverse.samples.push_back(std::move(*first));
         publish_(std::move(look));
     }
+    follow(solver, std::move(findings));
+}
+
+void StaticsWorker::follow(PoseSolver& solver, StaticsFindings findings) {
     TraverseRequest request;
     request.distance = findings.run->distance;
     request.backwards = findings.rollsBack();
-    findings.traverse =
-        traverse(solver, request, [this](const TraverseSample&) { return !givenUp_; });
-    findings.whole = true;
+    StaticsFindings part = findings;
+    part.stage = StaticsFindings::Stage::Part;
+    part.traverse.end = TraverseEnd::Stopped;
+    const Clock::time_point start = Clock::now();
+    Clock::duration due = kFirstPart;
+    findings.traverse = traverse(solver, request, [&](const TraverseSample& sample) {
+        part.traverse.samples.push_back(sample);
+        if (Clock::now() - start >= due && !givenUp_) {
+            publish_(std::make_shared<StaticsFindings>(part));
+            due += due / 2;
+        }
+        return !givenUp_;
+    });
+    findings.stage = StaticsFindings::Stage::Whole;
     if (!givenUp_) {
         publish_(std::make_shared<StaticsFindings>(std::move(findings)));
     }

@@ -27,9 +27,14 @@ struct StaticsFindings {
     int number = 0;  ///< of the task
     simcore::Problems problems;
     std::shared_ptr<const simcore::run::ResolvedRun> run;  ///< null with critical problems
-    /// Of a first look one sample only.
+
+    enum class Stage {
+        Look,  ///< one sample: near where the task says
+        Part,  ///< the way so far
+        Whole
+    };
+    Stage stage = Stage::Look;
     simcore::statics::Traverse traverse;
-    bool whole = false;  ///< false: a first look, the way is still to come
 
     bool rollsBack() const { return run != nullptr && run->speed < 0.0; }
 };
@@ -53,6 +58,7 @@ class StaticsWorker {
   private:
     void loop();
     void study(const StaticsTask& task);
+    void follow(simcore::statics::PoseSolver& solver, StaticsFindings findings);
 
     Publish publish_;
     std::mutex mutex_;
