@@ -66,8 +66,8 @@ StaticsPanel::StaticsPanel(StaticsSession* session, QWidget* parent)
     unavailable_->setAlignment(Qt::AlignCenter);
     unavailable_->setMargin(12);
     auto* layout = new QVBoxLayout(content_);
-    layout->setContentsMargins(8, 8, 8, 0);
-    layout->setSpacing(6);
+    layout->setContentsMargins(8, 6, 8, 0);
+    layout->setSpacing(4);
     layout->addWidget(makeHeadline());
     layout->addWidget(makeWay());
     layout->addWidget(makeDetails(), 1);
@@ -133,7 +133,7 @@ QWidget* StaticsPanel::makeWay() {
     auto* way = new QWidget;
     auto* layout = new QVBoxLayout(way);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(3);
+    layout->setSpacing(2);
     layout->addWidget(plot_);
     layout->addWidget(place_);
     layout->addLayout(line);
@@ -155,7 +155,7 @@ QWidget* StaticsPanel::makeDetails() {
     whole_ = sentenceLabel("staticsWhole", tr("The whole way"));
     auto* details = new QWidget;
     auto* layout = new QVBoxLayout(details);
-    layout->setContentsMargins(0, 0, 0, 4);
+    layout->setContentsMargins(0, 0, 0, 2);
     layout->setSpacing(0);
     layout->addWidget(limit_);
     layout->addSpacing(4);

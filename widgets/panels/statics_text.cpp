@@ -81,7 +81,7 @@ QStringList flagSentences(const std::vector<std::string>& flags) {
 QString failureSentence(const StaticsFindings& failure) {
     for (const simcore::Problem& problem : failure.problems) {
         if (problem.severity == simcore::Severity::Critical) {
-            return tr("The rover cannot be studied here. %1: %2. %3")
+            return tr("The rover cannot be studied here.\n\n%1: %2\n%3")
                 .arg(QString::fromStdString(problem.element),
                      QString::fromStdString(problem.reason),
                      QString::fromStdString(problem.remedy));

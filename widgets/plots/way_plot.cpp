@@ -26,10 +26,10 @@ WayPlot::WayPlot(QWidget* parent)
       marks_(plot_->addGraph()),
       ground_(new QCPItemStraightLine(plot_)),
       cursor_(new QCPItemStraightLine(plot_)) {
-    setMinimumHeight(92);
+    setMinimumHeight(82);
     plot_->setFocusPolicy(Qt::NoFocus);
     plot_->setAccessibleName(tr("Required friction over the way"));
-    plot_->axisRect()->setMinimumMargins(QMargins(44, 6, 10, 18));
+    plot_->axisRect()->setMinimumMargins(QMargins(44, 5, 10, 18));
     plot_->yAxis->setLabel(tr("μ*"));
     plot_->yAxis->setLabelPadding(3);
     plot_->yAxis->ticker()->setTickCount(4);
