@@ -11,6 +11,7 @@
 #include "simcore/run/simulation.h"
 #include "simcore/statics/traverse.h"
 #include "tests/support/studio.h"
+#include "widgets/panels/statics_text.h"
 #include "widgets/panels/wheel_table.h"
 #include "widgets/session/run_bar.h"
 #include "widgets/session/statics_session.h"
@@ -264,6 +265,33 @@ TEST_F(StaticsPanelTest, BrokenScenarioSaysWhyAndUndoMendsIt) {
     ASSERT_TRUE(waitForWay());
     EXPECT_FALSE(why->isVisible());
     EXPECT_TRUE(slider()->isVisible());
+}
+
+TEST(StaticsTextTest, SaysWhichWheelsLimit) {
+    Study study;
+    study.feasible = true;
+    study.frictionRequired = 0.4;
+    for (const double ratio : {0.4, 0.1, 0.4, 0.2, 0.0}) {
+        study.wheels.push_back({});
+        study.wheels.back().name = "w" + std::to_string(study.wheels.size());
+        study.wheels.back().ratio = ratio;
+    }
+    study.wheels.back().touches = false;
+    EXPECT_EQ(widgets::limitSentence(study).toStdString(), "w1, w3 limit.");
+    study.wheels[1].ratio = 0.4;
+    EXPECT_EQ(widgets::limitSentence(study).toStdString(),
+              "All wheels that touch limit alike but w4.");
+    study.wheels[3].ratio = 0.4;
+    EXPECT_EQ(widgets::limitSentence(study).toStdString(), "All wheels that touch limit alike.");
+    study.feasible = false;
+    EXPECT_TRUE(limitingWheels(study).empty());
+}
+
+TEST(StaticsTextTest, GroupsFlagsIntoSentences) {
+    const QStringList sentences = widgets::flagSentences(
+        {"search", "hanging rear", "torque-limit a", "torque-limit b", "no-torques-hold-it"});
+    EXPECT_EQ(sentences, QStringList({"No torques hold the rover here.", "Hangs in the air: rear.",
+                                      "At the torque limit: a, b."}));
 }
 
 TEST_F(StaticsPanelTest, EveryWidgetHasANameForReaders) {

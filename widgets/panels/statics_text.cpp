@@ -1,10 +1,11 @@
 #include "widgets/panels/statics_text.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+
+#include "widgets/panels/statics_panel.h"
 
 namespace widgets {
 
@@ -19,23 +20,19 @@ constexpr double kNoFriction = 0.005;
 /// No ground gives more [-].
 constexpr double kMostFriction = 10.0;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("widgets::StaticsPanel", text);
-}
-
 QString standingReason(Standing why) {
     switch (why) {
         case Standing::NoGround:
-            return tr("there is no ground under it");
+            return StaticsPanel::tr("there is no ground under it");
         case Standing::Tips:
-            return tr("it tips over");
+            return StaticsPanel::tr("it tips over");
         case Standing::LoopOpens:
-            return tr("its joints cannot follow");
+            return StaticsPanel::tr("its joints cannot follow");
         case Standing::NotConverged:
         case Standing::Stands:
             break;
     }
-    return tr("it comes to no rest");
+    return StaticsPanel::tr("it comes to no rest");
 }
 
 }  // namespace
@@ -71,7 +68,7 @@ QStringList flagSentences(const std::vector<std::string>& flags) {
     QStringList sentences;
     for (const Sentence& sentence : kSentences) {
         if (const auto found = named.find(sentence.flag); found != named.end()) {
-            const QString text = tr(sentence.text);
+            const QString text = StaticsPanel::tr(sentence.text);
             sentences << (found->second.isEmpty() ? text : text.arg(found->second.join(", ")));
         }
     }
@@ -81,13 +78,13 @@ QStringList flagSentences(const std::vector<std::string>& flags) {
 QString failureSentence(const StaticsFindings& failure) {
     for (const simcore::Problem& problem : failure.problems) {
         if (problem.severity == simcore::Severity::Critical) {
-            return tr("The rover cannot be studied here.\n\n%1: %2\n%3")
+            return StaticsPanel::tr("The rover cannot be studied here.\n\n%1: %2\n%3")
                 .arg(QString::fromStdString(problem.element),
                      QString::fromStdString(problem.reason),
                      QString::fromStdString(problem.remedy));
         }
     }
-    return tr("The rover cannot stand at the start of this scenario: %1.")
+    return StaticsPanel::tr("The rover cannot stand at the start of this scenario: %1.")
         .arg(standingReason(failure.traverse.why));
 }
 
@@ -96,23 +93,25 @@ QString waySentence(const StaticsFindings& whole) {
     const double end = traverse.samples.back().way;
     switch (traverse.end) {
         case TraverseEnd::NoPose:
-            return tr("The way ends after %1 m: %2.")
+            return StaticsPanel::tr("The way ends after %1 m: %2.")
                 .arg(numberText(end, 2), standingReason(traverse.why));
         case TraverseEnd::Stuck:
-            return tr("The way ends after %1 m: the wheels roll on, the rover does not.")
+            return StaticsPanel::tr(
+                       "The way ends after %1 m: the wheels roll on, the rover does not.")
                 .arg(numberText(end, 2));
         case TraverseEnd::Arrived:
         case TraverseEnd::Stopped:
             break;
     }
     const double friction = traverse.frictionRequired();
-    return friction <= kMostFriction ? tr("The whole way takes %1.").arg(frictionText(friction))
-                                     : tr("No friction is enough for the whole way.");
+    return friction <= kMostFriction
+               ? StaticsPanel::tr("The whole way takes %1.").arg(frictionText(friction))
+               : StaticsPanel::tr("No friction is enough for the whole way.");
 }
 
 QString limitSentence(const simcore::statics::Study& study) {
     if (study.frictionRequired < kNoFriction) {
-        return tr("No wheel needs friction here.");
+        return StaticsPanel::tr("No wheel needs friction here.");
     }
     const std::vector<int> limiting = limitingWheels(study);
     QStringList names;
@@ -125,13 +124,13 @@ QString limitSentence(const simcore::statics::Study& study) {
         }
     }
     if (others.isEmpty()) {
-        return tr("All wheels that touch limit alike.");
+        return StaticsPanel::tr("All wheels that touch limit alike.");
     }
     if (names.size() > others.size()) {
-        return tr("All wheels that touch limit alike but %1.").arg(others.join(", "));
+        return StaticsPanel::tr("All wheels that touch limit alike but %1.").arg(others.join(", "));
     }
-    return names.size() == 1 ? tr("%1 limits.").arg(names.front())
-                             : tr("%1 limit.").arg(names.join(", "));
+    return names.size() == 1 ? StaticsPanel::tr("%1 limits.").arg(names.front())
+                             : StaticsPanel::tr("%1 limit.").arg(names.join(", "));
 }
 
 QString equalSentence(const simcore::statics::Study& study) {
@@ -140,14 +139,15 @@ QString equalSentence(const simcore::statics::Study& study) {
     }
     const QString torque = numberText(*study.equalTorque, 2);
     return study.equalMaxRatio <= kMostFriction
-               ? tr("Equal torques: %1 N·m each, μ %2.")
+               ? StaticsPanel::tr("Equal torques: %1 N·m each, μ %2.")
                      .arg(torque, numberText(study.equalMaxRatio, 2))
-               : tr("Equal torques: %1 N·m each, no friction is enough.").arg(torque);
+               : StaticsPanel::tr("Equal torques: %1 N·m each, no friction is enough.").arg(torque);
 }
 
 QString frictionText(double friction) {
-    return friction <= kMostFriction ? tr("μ* %1").arg(numberText(friction, 2))
-                                     : tr("μ* > %1").arg(numberText(kMostFriction, 0));
+    return friction <= kMostFriction
+               ? StaticsPanel::tr("μ* %1").arg(numberText(friction, 2))
+               : StaticsPanel::tr("μ* > %1").arg(numberText(kMostFriction, 0));
 }
 
 QString numberText(double value, int digits) {
