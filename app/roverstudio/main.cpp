@@ -11,6 +11,7 @@
 #include "simcore/base/version.h"
 #include "simcore/io/project_file.h"
 #include "widgets/session/run_bar.h"
+#include "widgets/session/statics_session.h"
 #include "widgets/window/file_commands.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/recording_commands.h"
@@ -27,6 +28,7 @@ struct Options {
     std::string size = "1440x900";
     std::string theme;
     std::string scenario;
+    std::string panel;
     double runFor = 0.0;
 };
 
@@ -57,6 +59,8 @@ int takeScreenshot(widgets::MainWindow& window, const Options& options) {
     window.resize(sizeFrom(options.size));
     window.show();
     waitFor(600, [] { return false; });
+    constexpr int kLongestStudy_ms = 60000;
+    waitFor(kLongestStudy_ms, [&] { return !window.statics().isWorking(); });
     if (window.session().recorded() != nullptr) {
         if (options.runFor > 0.0) {
             window.session().scrub(options.runFor);
@@ -126,6 +130,9 @@ int run(const Options& options) {
             return kAnswerIsNo;
         }
     }
+    if (!options.panel.empty()) {
+        window.showPanel(QString::fromStdString(options.panel));
+    }
     if (picturing) {
         return takeScreenshot(window, options);
     }
@@ -155,6 +162,8 @@ int main(int argc, char** argv) {
     commands.add_option("--theme", options.theme, "dark or light")
         ->check(CLI::IsMember({"dark", "light"}));
     commands.add_option("--scenario", options.scenario, "scenario to choose");
+    commands.add_option("--panel", options.panel, "panel to bring to the front")
+        ->check(CLI::IsMember({"rover", "mobility", "statics", "mass", "problems", "run"}));
     commands
         .add_option("--run-for", options.runFor,
                     "with --screenshot: drive this long first [s of simulated time]")

@@ -1,6 +1,5 @@
 #include "simcore/io/statics_tables.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -21,14 +20,10 @@ Json finite(double value) {
     return std::isfinite(value) ? Json(value) : Json();
 }
 
-/// The wheel that asks the largest friction; "" where nothing holds the rover.
+/// The first wheel that limits; "" where nothing holds the rover.
 std::string limitingWheel(const statics::Study& study) {
-    const auto most =
-        std::max_element(study.wheels.begin(), study.wheels.end(),
-                         [](const statics::WheelStudy& a, const statics::WheelStudy& b) {
-                             return a.ratio < b.ratio;
-                         });
-    return study.feasible && most != study.wheels.end() ? most->name : "";
+    const std::vector<int> wheels = limitingWheels(study);
+    return wheels.empty() ? "" : study.wheels[static_cast<std::size_t>(wheels.front())].name;
 }
 
 Json toJson(const TraverseSample& sample) {

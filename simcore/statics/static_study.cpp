@@ -204,6 +204,17 @@ double tipOverAngle(const Vec3& centerOfMass, std::span<const Contact> contacts)
     return least;
 }
 
+std::vector<int> limitingWheels(const Study& study) {
+    std::vector<int> limiting;
+    for (std::size_t i = 0; i < study.wheels.size(); ++i) {
+        const WheelStudy& wheel = study.wheels[i];
+        if (study.feasible && wheel.touches && wheel.ratio >= 0.999 * study.frictionRequired) {
+            limiting.push_back(static_cast<int>(i));
+        }
+    }
+    return limiting;
+}
+
 Study studyPose(StaticModel& model, const StandingPose& pose, std::optional<ContactSet> contacts,
                 bool backwards, bool searched) {
     dynamics::TreeState state = pose.state;

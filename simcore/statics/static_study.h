@@ -60,6 +60,10 @@ Result<Study> studyDrawnPose(const mechanism::Mechanism& mechanism, const StudyR
 Study studyPose(StaticModel& model, const StandingPose& pose, std::optional<ContactSet> contacts,
                 bool backwards = false, bool searched = true);
 
+/// The wheels that need the friction required, within a thousandth of it, in the order of the
+/// mechanism; none where no torques hold the rover.
+std::vector<int> limitingWheels(const Study& study);
+
 /// Least angle by which the rover would have to turn about a line between two neighbouring
 /// footholds until its centre of mass is above it (E. G. Papadopoulos, D. A. Rey, ICRA 1996); 0
 /// where it would tip, and with fewer than three footholds [rad].

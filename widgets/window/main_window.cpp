@@ -27,9 +27,11 @@
 #include "widgets/panels/mass_panel.h"
 #include "widgets/panels/mobility_panel.h"
 #include "widgets/panels/problems_panel.h"
+#include "widgets/panels/statics_panel.h"
 #include "widgets/plots/plot_panel.h"
 #include "widgets/session/manual_drive.h"
 #include "widgets/session/run_bar.h"
+#include "widgets/session/statics_session.h"
 #include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
 #include "widgets/window/icons.h"
@@ -46,7 +48,6 @@ using State = RunSession::State;
 namespace {
 
 constexpr int kMessageTime_ms = 8000;
-constexpr int kLayoutVersion = 1;
 
 /// Name of an element of a mechanism; empty when there is none.
 template <class Element>
@@ -70,6 +71,7 @@ render::Overlays firstOverlays() {
 MainWindow::MainWindow()
     : document_(new Document(this)),
       session_(new RunSession(this)),
+      statics_(new StaticsSession(this)),
       scene_(std::make_shared<render::Scene>()),
       actions_(new ActionRegistry(this)),
       files_(new FileCommands(document_, this)),
@@ -98,6 +100,8 @@ MainWindow::MainWindow()
 }
 
 MainWindow::~MainWindow() {
+    // Closing hides the panel: its pose must not leave a picture that is gone.
+    statics_->setActive(false);
     // The scene's graphics objects go while the viewport still has its context.
     delete takeCentralWidget();
 }
@@ -120,12 +124,15 @@ void MainWindow::makeDocks() {
     mass_ = new MassPanel(document_);
     problems_ = new ProblemsPanel(document_);
     mobilityDock_ = add(Qt::RightDockWidgetArea, tr("Mobility"), "mobilityDock", mobility_);
+    staticsDock_ =
+        add(Qt::RightDockWidgetArea, tr("Statics"), "staticsDock", new StaticsPanel(statics_));
     QDockWidget* mass = add(Qt::RightDockWidgetArea, tr("Mass"), "massDock", mass_);
     problemsDock_ = add(Qt::RightDockWidgetArea, tr("Problems"), "problemsDock", problems_);
-    tabifyDockWidget(mobilityDock_, mass);
+    tabifyDockWidget(mobilityDock_, staticsDock_);
+    tabifyDockWidget(staticsDock_, mass);
     tabifyDockWidget(mass, problemsDock_);
     mobilityDock_->raise();
-    for (QDockWidget* dock : {mobilityDock_, mass, problemsDock_}) {
+    for (QDockWidget* dock : {mobilityDock_, staticsDock_, mass, problemsDock_}) {
         // The tab says what the title would, and a panel's height is dear.
         dock->setTitleBarWidget(new QWidget(dock));
     }
@@ -140,7 +147,7 @@ void MainWindow::makeDocks() {
     layout->addWidget(runBar_);
     layout->addWidget(plots_, 1);
     QDockWidget* runDock = add(Qt::BottomDockWidgetArea, tr("Run and plots"), "runDock", run);
-    resizeDocks({rover, mobilityDock_}, {340, 330}, Qt::Horizontal);
+    resizeDocks({rover, mobilityDock_}, {340, 350}, Qt::Horizontal);
     resizeDocks({runDock}, {300}, Qt::Vertical);
     // Arrow keys step through the run here, and do their usual work elsewhere.
     for (const char* name : {"step", "stepBack"}) {
@@ -150,7 +157,7 @@ void MainWindow::makeDocks() {
         centralWidget()->addAction(action);
     }
     panelMenu_ = new QMenu(tr("&Panels"), this);
-    for (QDockWidget* dock : {rover, mobilityDock_, mass, problemsDock_, runDock}) {
+    for (QDockWidget* dock : {rover, mobilityDock_, staticsDock_, mass, problemsDock_, runDock}) {
         panelMenu_->addAction(dock->toggleViewAction());
     }
 }
@@ -225,6 +232,7 @@ void MainWindow::connectParts() {
     connect(document_, &Document::fileChanged, this, &MainWindow::updateTitle);
     connect(document_, &Document::replaced, this, [this] {
         session_->clear();
+        statics_->forgetPlace();
         runBar_->chooseFirst();
         if (viewport_ != nullptr) {
             viewport_->viewOverview();
@@ -275,7 +283,10 @@ void MainWindow::connectParts() {
             session_->setStale(true);
         }
         link_->showDesign();
+        updateStatics();
     });
+    connect(staticsDock_, &QDockWidget::visibilityChanged, statics_, &StaticsSession::setActive);
+    connect(statics_, &StaticsSession::shownChanged, this, &MainWindow::showStatics);
     const auto updateForRun = [this] {
         const bool recorded = session_->recorded() != nullptr;
         actions_->at("saveRecording")->setEnabled(session_->hasRun() && !recorded);
@@ -318,7 +329,32 @@ void MainWindow::onProjectChanged() {
     } else if (session_->hasRun()) {
         session_->setStale(true);
     }
+    updateStatics();
     updateStatus();
+}
+
+void MainWindow::updateStatics() {
+    simcore::run::RunRequest request = runBar_->request();
+    request.files = document_->files();
+    statics_->setSubject(document_->project(), request);
+}
+
+void MainWindow::showStatics() {
+    if (statics_->isActive() && statics_->shown() != nullptr) {
+        link_->setStanding({statics_->current()->run, statics_->snapshot()});
+    } else {
+        link_->leaveStanding();
+    }
+}
+
+bool MainWindow::showPanel(const QString& name) {
+    auto* dock = findChild<QDockWidget*>(name + "Dock");
+    if (dock == nullptr) {
+        return false;
+    }
+    dock->show();
+    dock->raise();
+    return true;
 }
 
 void MainWindow::updateTitle() {

@@ -30,6 +30,8 @@ class PropertyPanel;
 class RecordingCommands;
 class RunBar;
 class SceneLink;
+class StaticsPanel;
+class StaticsSession;
 
 /// The studio: editors on the left, the 3D view in the middle, what follows from the design on the
 /// right, run and plots at the bottom.
@@ -53,6 +55,8 @@ class MainWindow : public QMainWindow {
 
     PlotPanel& plots() { return *plots_; }
 
+    StaticsSession& statics() { return *statics_; }
+
     MobilityPanel& mobility() { return *mobility_; }
 
     render::Scene& scene() { return *scene_; }
@@ -67,6 +71,9 @@ class MainWindow : public QMainWindow {
     /// was not opened; says why.
     bool open(const QString& file);
     void setDark(bool dark);
+    /// Brings a panel to the front: "rover", "mobility", "statics", "mass", "problems" or "run".
+    /// False when there is no such panel.
+    bool showPanel(const QString& name);
     /// Window size, panels and theme as the user left them.
     void restoreLayout();
 
@@ -77,6 +84,9 @@ class MainWindow : public QMainWindow {
     void dropEvent(QDropEvent* event) override;
 
   private:
+    /// Of saved arrangements of the panels.
+    static constexpr int kLayoutVersion = 2;
+
     void makeActions();
     void makeFileActions();
     void makeViewActions();
@@ -89,6 +99,8 @@ class MainWindow : public QMainWindow {
     void connectParts();
 
     void onProjectChanged();
+    void updateStatics();
+    void showStatics();
     void updateTitle();
     void updateStatus();
     void updateIcons();
@@ -109,6 +121,7 @@ class MainWindow : public QMainWindow {
 
     Document* document_;
     RunSession* session_;
+    StaticsSession* statics_;
     std::shared_ptr<render::Scene> scene_;
     ActionRegistry* actions_;
     FileCommands* files_;
@@ -127,6 +140,7 @@ class MainWindow : public QMainWindow {
     PlotPanel* plots_ = nullptr;
     QDockWidget* problemsDock_ = nullptr;
     QDockWidget* mobilityDock_ = nullptr;
+    QDockWidget* staticsDock_ = nullptr;
     QMenu* recentMenu_ = nullptr;
     QMenu* overlayMenu_ = nullptr;
     QMenu* panelMenu_ = nullptr;

@@ -58,6 +58,7 @@ SceneLink::SceneLink(Document* document, RunSession* session, std::shared_ptr<re
 
 void SceneLink::showMechanism(const simcore::mechanism::Mechanism& mechanism) {
     mechanism_ = mechanism;
+    standingShown_.reset();
     scene_->setMechanism(mechanism_);
     showFreedoms();
     showHighlight();
@@ -66,11 +67,46 @@ void SceneLink::showMechanism(const simcore::mechanism::Mechanism& mechanism) {
 void SceneLink::showDesign() {
     const auto& derived = document_->derived();
     showsRun_ = false;
+    if (standing_) {
+        showStanding();
+        return;
+    }
     // With critical problems the last good rover stays on show.
     if (derived.mechanism) {
         showMechanism(*derived.mechanism);
     }
     showTerrain();
+    redraw();
+}
+
+void SceneLink::setStanding(StandingRover standing) {
+    standing_ = std::move(standing);
+    if (session_->state() != RunSession::State::Playing) {
+        showDesign();
+    }
+}
+
+void SceneLink::leaveStanding() {
+    if (!standing_) {
+        return;
+    }
+    standing_.reset();
+    if (session_->hasRun() && !session_->isStale()) {
+        showRun(*session_->shown());
+    } else {
+        showDesign();
+    }
+}
+
+void SceneLink::showStanding() {
+    if (standingShown_ != standing_->run) {
+        showMechanism(standing_->run->mechanism);
+        scene_->setTerrain(standing_->run->terrain);
+        terrainShown_ = false;
+        standingShown_ = standing_->run;
+    }
+    scene_->clearTrail();
+    scene_->setSnapshot(standing_->snapshot);
     redraw();
 }
 
@@ -91,7 +127,7 @@ void SceneLink::showRun(const simcore::run::Snapshot& snapshot) {
 
 void SceneLink::setScenario(const QString& name) {
     scenario_ = name;
-    if (!showsRun_) {
+    if (!showsRun_ && !standing_) {
         showTerrain();
         redraw();
     }

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <memory>
+#include <optional>
 
 #include "render/scene.h"
 #include "widgets/document/document.h"
@@ -10,9 +11,15 @@
 
 namespace widgets {
 
+/// A rover that stands somewhere without a run, with the run it would be of.
+struct StandingRover {
+    std::shared_ptr<const simcore::run::ResolvedRun> run;
+    simcore::run::Snapshot snapshot;
+};
+
 /// Keeps the 3D scene in step with what is looked at: the *design*, drawn standing on the chosen
-/// scenario's terrain, or an instant of a *run*, with the rover and the terrain that run was made
-/// with.
+/// scenario's terrain or as statics find it, or an instant of a *run*, with the rover and the
+/// terrain that run was made with.
 class SceneLink : public QObject {
     Q_OBJECT
   public:
@@ -40,12 +47,18 @@ class SceneLink : public QObject {
     /// Shows the design again after looking at a run.
     void showDesign();
 
+    /// The design stands like this, not as drawn, from now on; a playing run stays on show.
+    void setStanding(StandingRover standing);
+    /// As drawn again; a run that is there is on show again.
+    void leaveStanding();
+
   signals:
     /// Why the terrain cannot be shown.
     void problems(const simcore::Problems& problems);
 
   private:
     void showRun(const simcore::run::Snapshot& snapshot);
+    void showStanding();
     void showMechanism(const simcore::mechanism::Mechanism& mechanism);
     void showTerrain();
     void showFreedoms();
@@ -62,6 +75,8 @@ class SceneLink : public QObject {
     QString scenario_;
     simcore::mobility::Model model_ = simcore::mobility::Model::Built;
     bool showsRun_ = false;
+    std::optional<StandingRover> standing_;
+    std::shared_ptr<const simcore::run::ResolvedRun> standingShown_;  ///< null: something else is
     // What the design's terrain was made from.
     simcore::project::Scenario terrainOf_;
     simcore::project::ParameterValues terrainParameters_;

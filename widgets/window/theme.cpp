@@ -65,10 +65,11 @@ void applyTheme(QApplication& application, Theme theme) {
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setPalette(paletteOf(c));
     application.setStyleSheet(
-        QString("QLabel#headline { border-radius: 4px; padding: 6px 8px; font-weight: bold; }"
-                "QLabel#headline[level=\"good\"] { background: %1; color: %4; }"
-                "QLabel#headline[level=\"warning\"] { background: %2; color: %4; }"
-                "QLabel#headline[level=\"bad\"] { background: %3; color: %4; }"
+        QString("QLabel#headline, QLabel#staticsVerdict { border-radius: 4px; padding: 6px 8px; "
+                "font-weight: bold; }"
+                "QLabel[level=\"good\"] { background: %1; color: %4; }"
+                "QLabel[level=\"warning\"] { background: %2; color: %4; }"
+                "QLabel[level=\"bad\"] { background: %3; color: %4; }"
                 "QLabel#errorMessage { color: %5; }"
                 "QToolTip { color: %6; background: %7; border: 1px solid %8; }"
                 "QPushButton:checked { background: %9; color: white; border-radius: 3px; "

@@ -140,7 +140,7 @@ void MainWindow::makeViewActions() {
     actions_->add("fullScreen", tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, {},
                   [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     actions_->add("resetLayout", tr("&Reset panels"), {}, tr("All panels back to their places"),
-                  [this] { restoreState(firstLayout_, 1); });
+                  [this] { restoreState(firstLayout_, kLayoutVersion); });
 }
 
 void MainWindow::makeRunActions() {
@@ -169,15 +169,11 @@ void MainWindow::makeRunActions() {
                       session_->clear();
                   });
     actions_->add("showMobility", tr("&Mobility"), {QKeySequence("Ctrl+M")},
-                  tr("Show the mobility panel"), [this] {
-                      mobilityDock_->show();
-                      mobilityDock_->raise();
-                  });
+                  tr("Show the mobility panel"), [this] { showPanel("mobility"); });
+    actions_->add("showStatics", tr("&Statics"), {QKeySequence("Ctrl+T")},
+                  tr("Show the statics panel"), [this] { showPanel("statics"); });
     actions_->add("showProblems", tr("&Problems"), {QKeySequence("Ctrl+Shift+M")},
-                  tr("Show the problems panel"), [this] {
-                      problemsDock_->show();
-                      problemsDock_->raise();
-                  });
+                  tr("Show the problems panel"), [this] { showPanel("problems"); });
 }
 
 void MainWindow::makeMenus() {
@@ -222,7 +218,7 @@ void MainWindow::makeMenus() {
     fill(view, {"resetLayout", "fullScreen"});
     fill(menuBar()->addMenu(tr("&Run")), {"playPause", "step", "stepBack", "live", "reset",
                                           "runAgain", "", "faster", "slower", "", "showDesign"});
-    fill(menuBar()->addMenu(tr("&Analyze")), {"showMobility", "showProblems"});
+    fill(menuBar()->addMenu(tr("&Analyze")), {"showMobility", "showStatics", "showProblems"});
     fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "system", "", "about"});
 }
 

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <gtest/gtest.h>
 #include <ClpSimplex.hpp>
 #include <CoinPackedMatrix.hpp>
 #include <CoinPackedVector.hpp>
-#include <gtest/gtest.h>
 
 #include "simcore/statics/static_study.h"
 #include "tests/support/rovers.h"
@@ -112,11 +112,10 @@ TEST(RequiredFrictionTest, AgreesWithLinearProgramsOfClp) {
                 angle = wheel == mechanism.wheels[w].name ? degrees : angle;
             }
             name += " " + std::to_string(angle);
-            contacts.push_back(contactAtAngle(mechanism, static_cast<int>(w), model.poses(),
-                                              angle * kDegree));
+            contacts.push_back(
+                contactAtAngle(mechanism, static_cast<int>(w), model.poses(), angle * kDegree));
         }
-        const Equilibrium equilibrium =
-            model.equilibrium(contacts, ContactSet::Free, 9.80665);
+        const Equilibrium equilibrium = model.equilibrium(contacts, ContactSet::Free, 9.80665);
         // The two lateral forces that the paper leaves are zero where left and right are alike.
         const Traction traction(equilibrium, mechanism, contacts);
         const Solution best = traction.best(Objective::Friction);
@@ -131,10 +130,14 @@ TEST(RequiredFrictionTest, NoPointOfAGridIsBetter) {
     StaticModel model(solero, Model::Built);
     std::vector<Contact> contacts;
     for (int w = 0; w < 6; ++w) {
-        contacts.push_back(
-            contactAtAngle(solero, w, model.poses(), (w == 0 ? 80.0 : w == 2 ? 10.0 : 0.0) * kDegree));
+        contacts.push_back(contactAtAngle(solero, w, model.poses(),
+                                          (w == 0   ? 80.0
+                                           : w == 2 ? 10.0
+                                                    : 0.0) *
+                                              kDegree));
     }
-    const Traction traction(model.equilibrium(contacts, ContactSet::All, 9.80665), solero, contacts);
+    const Traction traction(model.equilibrium(contacts, ContactSet::All, 9.80665), solero,
+                            contacts);
     const Solution best = traction.best(Objective::Friction);
     ASSERT_NE(best.way, Way::None);
     for (int a = 0; a < traction.dimension(); ++a) {
