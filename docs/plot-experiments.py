@@ -19,7 +19,7 @@ COLOURS = {
 MARKS = {"speed": "square", "synchronised": "diamond", "common-integral": "cross", "equal-torque": "ring",
          "torque": "dot", "hybrid": "big"}
 WIDTH, HEIGHT, LEFT, TOP, GAP = 420, 200, 62, 46, 58
-LOW, HIGH = 1e-3, 1.0
+LOW, HIGH = 1e-3, 10.0
 
 
 def runs(path):
@@ -52,7 +52,7 @@ def panel(mu, grounds, x0, y0):
     order = sorted(grounds, key=lambda seed: (grounds[seed].get("hybrid", math.inf), seed))
     order = [seed for seed in order if grounds[seed]]
     out = [f'<text x="{x0}" y="{y0 - 8}" font-weight="bold">friction {mu:g}</text>']
-    for decade in (1e-3, 1e-2, 1e-1, 1.0):
+    for decade in (1e-3, 1e-2, 1e-1, 1.0, 10.0):
         y = at(decade)
         label = "≤ 0.001" if decade == 1e-3 else f"{decade:g}"
         out.append(f'<line x1="{x0}" y1="{y:.1f}" x2="{x0 + WIDTH}" y2="{y:.1f}" stroke="#ddd"/>')
