@@ -208,3 +208,60 @@ TEST(PoseSolverTest, AgreesWithTheEngineAtRest) {
         }
     }
 }
+
+// At 0.1 m/s up a ramp and across its foot: the loads that statics finds for the engine's torques.
+TEST(PoseSolverTest, LoadsOfADriveUpARampAreThoseOfStatics) {
+    project::Project project = testsupport::shipped("solero");
+    for (project::Scenario& scenario : project.scenarios) {
+        if (scenario.name == "flat") {
+            scenario.terrain = {};
+            scenario.terrain.kind = project::TerrainKind::Ramp;
+            scenario.terrain.start = 0.6;
+            scenario.terrain.slope = 12.0 * kDegree;
+            scenario.terrain.length = 5.0;
+            scenario.soil.rollingResistance = 0.0;
+            scenario.controller.kind = project::ControllerKind::Torque;
+        }
+    }
+    run::RunRequest request;
+    request.scenario = "flat";
+    request.engine = project::EngineKind::Reduced;
+    request.step = 0.001;
+    request.distance = 2.0;
+    auto resolved = run::prepareRun(project, request);
+    ASSERT_TRUE(resolved) << toString(resolved.problems());
+    run::Simulation simulation(std::move(resolved).value());
+    const run::ResolvedRun& run = simulation.settings();
+    StaticModel model(run.mechanism, Model::Built);
+    PoseSolver solver(model, *run.terrain);
+    int compared = 0;
+    while (!simulation.finished()) {
+        simulation.step();
+        const run::Snapshot& now = simulation.snapshot();
+        if (now.step % 1000 != 0 || now.time < 3.0) {
+            continue;
+        }
+        const StandingPose pose = solver.settle({now.distance, 0.0, 0.0});
+        ASSERT_EQ(pose.standing, Standing::Stands);
+        const std::vector<Contact> contacts = rollingAlong(pose);
+        if (pose.footholds.size() != run.mechanism.wheels.size()) {
+            continue;
+        }
+        dynamics::TreeState state = pose.state;
+        model.place(state);
+        const Traction traction(model.equilibrium(contacts, ContactSet::Free, dynamics::kGravity),
+                                run.mechanism, contacts);
+        std::vector<double> torques;
+        for (const run::WheelState& wheel : now.wheels) {
+            torques.push_back(wheel.torqueApplied);
+        }
+        const Forces forces = traction.under(torques);
+        for (std::size_t w = 0; w < torques.size(); ++w) {
+            EXPECT_NEAR(forces.normal[w], now.wheels[w].normalForce,
+                        0.03 * run.mechanism.mass() * dynamics::kGravity / 6.0)
+                << run.mechanism.wheels[w].name << " at " << now.time << " s";
+        }
+        ++compared;
+    }
+    EXPECT_GE(compared, 12);
+}
