@@ -67,6 +67,7 @@ WheelContactFinder::Discs WheelContactFinder::discsOf(const mechanism::Wheel& wh
     }
     std::vector<double> offsets;
     const int count = slices_ + gaps * inner;
+    offsets.reserve(static_cast<std::size_t>(count));
     for (int disc = 0; disc < count; ++disc) {
         offsets.push_back(offsetOf(disc, count) * wheel.width);
     }

@@ -5,6 +5,13 @@
 #include <cassert>
 #include <cmath>
 
+// Of a loop: none reads what another writes.
+#ifdef __clang__
+#define ROVER_INDEPENDENT_ITERATIONS _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define ROVER_INDEPENDENT_ITERATIONS _Pragma("GCC ivdep")
+#endif
+
 namespace simcore::dynamics {
 namespace {
 
@@ -35,7 +42,7 @@ double along(const ScalarRow& row, const Eigen::VectorXd& u) {
 
 /// into[i] += factor * from[i].
 void addScaled(double factor, const double* from, std::size_t count, double* into) {
-#pragma GCC ivdep
+    ROVER_INDEPENDENT_ITERATIONS
     for (std::size_t i = 0; i < count; ++i) {
         into[i] += factor * from[i];
     }
@@ -277,7 +284,7 @@ void ImpulseSolver::addContacts(const ImpulseProblem& problem) {
                 const double* first = stiffened_.data();
                 const double* second = first + stride;
                 const double* third = second + stride;
-#pragma GCC ivdep
+                ROVER_INDEPENDENT_ITERATIONS
                 for (std::size_t j = 0; j < stride; ++j) {
                     row[j] += a * first[j] + b * second[j] + d * third[j];
                 }
