@@ -143,3 +143,5 @@ BENCHMARK(coldPose)->Unit(benchmark::kMicrosecond);
 BENCHMARK(equilibriumAndFriction)->Arg(14)->Arg(18)->Unit(benchmark::kMicrosecond);
 BENCHMARK(warmPoseAndFriction)->Unit(benchmark::kMicrosecond);
 BENCHMARK(overAStep)->Unit(benchmark::kMillisecond);
+
+BENCHMARK_MAIN();
