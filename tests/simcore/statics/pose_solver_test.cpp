@@ -47,6 +47,27 @@ double gapTo(const std::vector<Eigen::Vector2d>& profile, const Vec3& center, do
     return least - radius;
 }
 
+/// The loads that statics finds for the engine's own torques, to a share of a wheel's mean load.
+void expectLoadsOf(const run::Snapshot& now, StaticModel& model, const StandingPose& pose,
+                   double share) {
+    const mechanism::Mechanism& mechanism = model.mechanism();
+    const std::vector<Contact> contacts = rollingAlong(pose);
+    dynamics::TreeState state = pose.state;
+    model.place(state);
+    const Traction traction(model.equilibrium(contacts, ContactSet::Free, dynamics::kGravity),
+                            mechanism, contacts);
+    std::vector<double> torques;
+    for (const run::WheelState& wheel : now.wheels) {
+        torques.push_back(wheel.torqueApplied);
+    }
+    const Forces forces = traction.under(torques);
+    for (std::size_t w = 0; w < torques.size(); ++w) {
+        EXPECT_NEAR(forces.normal[w], now.wheels[w].normalForce,
+                    share * mechanism.mass() * dynamics::kGravity / 6.0)
+            << mechanism.wheels[w].name << " at " << now.time << " s";
+    }
+}
+
 }  // namespace
 
 TEST(PoseSolverTest, LevelGroundKeepsTheDrawnPose) {
@@ -191,21 +212,7 @@ TEST(PoseSolverTest, AgreesWithTheEngineAtRest) {
         if (pose.footholds.size() != run.mechanism.wheels.size()) {
             continue;  // a wheel between floor and wall: how it shares its load is the engine's
         }
-        std::vector<Contact> contacts = rollingAlong(pose);
-        dynamics::TreeState state = pose.state;
-        model.place(state);
-        const Traction traction(model.equilibrium(contacts, ContactSet::Free, dynamics::kGravity),
-                                run.mechanism, contacts);
-        std::vector<double> torques;
-        for (const run::WheelState& wheel : end.wheels) {
-            torques.push_back(wheel.torqueApplied);
-        }
-        const Forces forces = traction.under(torques);
-        for (std::size_t w = 0; w < torques.size(); ++w) {
-            EXPECT_NEAR(forces.normal[w], end.wheels[w].normalForce,
-                        0.01 * run.mechanism.mass() * dynamics::kGravity / 6.0)
-                << run.mechanism.wheels[w].name << " after " << drive << " s";
-        }
+        expectLoadsOf(end, model, pose, 0.01);
     }
 }
 
@@ -243,24 +250,10 @@ TEST(PoseSolverTest, LoadsOfADriveUpARampAreThoseOfStatics) {
         }
         const StandingPose pose = solver.settle({now.distance, 0.0, 0.0});
         ASSERT_EQ(pose.standing, Standing::Stands);
-        const std::vector<Contact> contacts = rollingAlong(pose);
         if (pose.footholds.size() != run.mechanism.wheels.size()) {
             continue;
         }
-        dynamics::TreeState state = pose.state;
-        model.place(state);
-        const Traction traction(model.equilibrium(contacts, ContactSet::Free, dynamics::kGravity),
-                                run.mechanism, contacts);
-        std::vector<double> torques;
-        for (const run::WheelState& wheel : now.wheels) {
-            torques.push_back(wheel.torqueApplied);
-        }
-        const Forces forces = traction.under(torques);
-        for (std::size_t w = 0; w < torques.size(); ++w) {
-            EXPECT_NEAR(forces.normal[w], now.wheels[w].normalForce,
-                        0.03 * run.mechanism.mass() * dynamics::kGravity / 6.0)
-                << run.mechanism.wheels[w].name << " at " << now.time << " s";
-        }
+        expectLoadsOf(now, model, pose, 0.03);
         ++compared;
     }
     EXPECT_GE(compared, 12);
