@@ -172,6 +172,15 @@ int studyAlong(const Options& options, statics::PoseSolver& solver, double dista
     return std::isfinite(traverse.frictionRequired()) ? kGood : kAnswerIsNo;
 }
 
+/// False after it has said why.
+bool hasWheels(const Options& options, const mechanism::Mechanism& mechanism) {
+    if (mechanism.wheels.empty()) {
+        fmt::print(stderr, "roversim: {}: a rover without wheels stands on nothing\n",
+                   options.file);
+    }
+    return !mechanism.wheels.empty();
+}
+
 /// On a scenario's ground.
 int studySettled(const Options& options, const project::Project& project,
                  const std::vector<project::Assignment>& assignments) {
@@ -184,9 +193,7 @@ int studySettled(const Options& options, const project::Project& project,
     if (!prepared) {
         return kAnswerIsNo;
     }
-    if (prepared->mechanism.wheels.empty()) {
-        fmt::print(stderr, "roversim: {}: a rover without wheels stands on nothing\n",
-                   options.file);
+    if (!hasWheels(options, prepared->mechanism)) {
         return kAnswerIsNo;
     }
     statics::StaticModel model(prepared->mechanism, modelOf(options));
@@ -217,9 +224,11 @@ int studySettled(const Options& options, const project::Project& project,
 }
 
 int studyClimbs(const Options& options, const mechanism::Mechanism& mechanism) {
-    if (const Problems problems = dynamics::whyNoEngineCanRun(mechanism);
-        !problems.empty() || mechanism.wheels.empty()) {
+    if (const Problems problems = dynamics::whyNoEngineCanRun(mechanism); !problems.empty()) {
         printProblems(options.file, problems);
+        return kAnswerIsNo;
+    }
+    if (!hasWheels(options, mechanism)) {
         return kAnswerIsNo;
     }
     auto json = io::jsonDocument("roverstudio-climbs-1");
@@ -258,6 +267,9 @@ std::string contradictionIn(const Options& options) {
     }
     if (!options.settled() && !options.scenario.empty()) {
         return "--scenario is for --pose settled or --along";
+    }
+    if (options.climb > 0.0 && (options.settled() || !options.angles.empty())) {
+        return "--climb makes its own steps and slopes: give neither a pose nor --contact";
     }
     if (!options.csv.empty() && !options.along) {
         return "--csv writes what --along finds";

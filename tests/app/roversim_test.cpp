@@ -106,6 +106,8 @@ TEST_F(RoversimTest, WrongUseIsTwoAndSaysSoOnStderr) {
           "statics --scenario step " + shipped("solero"),
           "statics --scenario step --along --contact front=90 " + shipped("solero"),
           "statics --climb 0 " + shipped("solero"),
+          "statics --climb 0.5 --scenario step --along " + shipped("solero"),
+          "statics --climb 0.5 --contact front=90 " + shipped("solero"),
           "statics --contacts 15 " + shipped("solero"),
           std::string("reproduce moons"),
           std::string("reproduce profiles --seeds 5..1"),
