@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "simcore/io/json_format.h"
 #include "simcore/io/project_file.h"
 #include "simcore/io/recording_header.h"
 #include "simcore/project/names.h"
@@ -36,11 +37,6 @@ constexpr std::pair<const char*, Comparison::Measure Comparison::*> kMeasures[] 
     {"work_", &Comparison::work},
     {"energy_", &Comparison::energy}};
 
-/// What is no number becomes null.
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json toJson(const Case& what) {
     Json json;
     json["seed"] = what.seed;
@@ -54,7 +50,7 @@ Json toJson(const Outcome& outcome) {
     json["completed"] = outcome.completed;
     json["stop_reason"] = outcome.stopReason;
     for (const auto& [name, member] : kNumbers) {
-        json[name] = number(outcome.*member);
+        json[name] = numberOrNull(outcome.*member);
     }
     json["state_hash"] = outcome.stateHash;
     return json;

@@ -1,5 +1,7 @@
 #include "simcore/io/json_format.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace simcore::io {
@@ -65,6 +67,10 @@ std::string formatJson(const Json& value) {
     write(value, 0, 0, out);
     out += "\n";
     return out;
+}
+
+nlohmann::ordered_json numberOrNull(double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
 }  // namespace simcore::io

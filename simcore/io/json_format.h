@@ -10,4 +10,7 @@ namespace simcore::io {
 /// columns, shortest numbers that read back exactly. The same value always gives the same text.
 std::string formatJson(const nlohmann::ordered_json& value);
 
+/// What is no number becomes null.
+nlohmann::ordered_json numberOrNull(double value);
+
 }  // namespace simcore::io

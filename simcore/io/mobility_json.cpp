@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "simcore/base/version.h"
+#include "simcore/io/json_format.h"
 
 namespace simcore::io {
 namespace {
@@ -53,16 +54,12 @@ const char* toText(mobility::Determinacy determinacy) {
     return "";
 }
 
-Json finiteOrNull(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json toJson(const mobility::MovedPose& moved) {
     Json json;
     json["rank"] = moved.rank;
     json["mobility"] = moved.mobility;
     json["redundant"] = moved.redundant;
-    json["rank_gap"] = finiteOrNull(moved.rankGap);
+    json["rank_gap"] = numberOrNull(moved.rankGap);
     json["free_motions"] = Json::array();
     for (const mobility::FreeMotion& motion : moved.motions) {
         Json inconsistent = Json::array();
@@ -143,7 +140,7 @@ nlohmann::ordered_json toJson(const mobility::Report& report) {
     json["rank"] = report.rank;
     json["mobility"] = report.mobility;
     json["redundant"] = report.redundant;
-    json["rank_gap"] = finiteOrNull(report.rankGap);
+    json["rank_gap"] = numberOrNull(report.rankGap);
     json["verdict"] = mobility::describe(report);
     json["removable_constraints"] = toJson(report.removable);
     json["redundant_set"] = toJson(report.redundantSet);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "simcore/io/json_format.h"
 #include "simcore/io/recording_header.h"
 
 namespace simcore::io {
@@ -10,31 +11,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json toJson(const run::WheelReport& wheel) {
     Json json;
     json["name"] = wheel.name;
-    json["slip_abs_m"] = number(wheel.slipAbs);
-    json["slip_loaded_m"] = number(wheel.slipLoaded);
-    json["slip_signed_m"] = number(wheel.slipSigned);
-    json["slip_lateral_m"] = number(wheel.slipLateral);
-    json["friction_work_J"] = number(wheel.frictionWork);
-    json["mean_normal_force_N"] = number(wheel.meanNormalForce);
-    json["max_torque_Nm"] = number(wheel.maxTorque);
-    json["energy_J"] = number(wheel.energy);
-    json["air_time_s"] = number(wheel.airTime);
+    json["slip_abs_m"] = numberOrNull(wheel.slipAbs);
+    json["slip_loaded_m"] = numberOrNull(wheel.slipLoaded);
+    json["slip_signed_m"] = numberOrNull(wheel.slipSigned);
+    json["slip_lateral_m"] = numberOrNull(wheel.slipLateral);
+    json["friction_work_J"] = numberOrNull(wheel.frictionWork);
+    json["mean_normal_force_N"] = numberOrNull(wheel.meanNormalForce);
+    json["max_torque_Nm"] = numberOrNull(wheel.maxTorque);
+    json["energy_J"] = numberOrNull(wheel.energy);
+    json["air_time_s"] = numberOrNull(wheel.airTime);
     return json;
 }
 
 Json toJson(const run::BodyReport& body) {
     Json json;
     json["name"] = body.name;
-    json["contact_time_s"] = number(body.contactTime);
-    json["max_force_N"] = number(body.maxForce);
-    json["friction_work_J"] = number(body.frictionWork);
+    json["contact_time_s"] = numberOrNull(body.contactTime);
+    json["max_force_N"] = numberOrNull(body.maxForce);
+    json["friction_work_J"] = numberOrNull(body.frictionWork);
     return json;
 }
 
@@ -166,19 +163,19 @@ Json toJson(const run::RunReport& report) {
     Json json;
     json["engine"] = report.engine;
     json["scenario"] = report.scenario;
-    json["dt"] = number(report.step);
+    json["dt"] = numberOrNull(report.step);
     json["steps"] = report.steps;
-    json["sim_time_s"] = number(report.simTime);
-    json["wall_s"] = number(report.wallTime);
-    json["rtf"] = number(report.rtf);
+    json["sim_time_s"] = numberOrNull(report.simTime);
+    json["wall_s"] = numberOrNull(report.wallTime);
+    json["rtf"] = numberOrNull(report.rtf);
     json["completed"] = report.completed;
     json["stop_reason"] = toString(report.stopReason);
     json["stop_detail"] = report.stopDetail;
-    json["distance_m"] = number(report.distance);
-    json["slip_abs_m"] = number(report.slipAbs);
-    json["slip_loaded_m"] = number(report.slipLoaded);
-    json["slip_signed_m"] = number(report.slipSigned);
-    json["friction_work_J"] = number(report.frictionWork);
+    json["distance_m"] = numberOrNull(report.distance);
+    json["slip_abs_m"] = numberOrNull(report.slipAbs);
+    json["slip_loaded_m"] = numberOrNull(report.slipLoaded);
+    json["slip_signed_m"] = numberOrNull(report.slipSigned);
+    json["friction_work_J"] = numberOrNull(report.frictionWork);
     json["wheels"] = Json::array();
     for (const run::WheelReport& wheel : report.wheels) {
         json["wheels"].push_back(toJson(wheel));
@@ -187,19 +184,19 @@ Json toJson(const run::RunReport& report) {
     for (const run::BodyReport& body : report.bodies) {
         json["body_contacts"].push_back(toJson(body));
     }
-    json["energy_J"] = number(report.energy);
+    json["energy_J"] = numberOrNull(report.energy);
     json["state_hash"] = report.stateHash;
-    json["friction_violation_pct"] = number(report.frictionViolationPercent);
-    json["friction_worst_pct"] = number(report.frictionWorstPercent);
-    json["loop_error_max_mm"] = number(1e3 * report.loopErrorMax);
-    json["penetration_max_mm"] = number(1e3 * report.penetrationMax);
-    json["solves_per_step"] = number(report.solvesPerStep);
+    json["friction_violation_pct"] = numberOrNull(report.frictionViolationPercent);
+    json["friction_worst_pct"] = numberOrNull(report.frictionWorstPercent);
+    json["loop_error_max_mm"] = numberOrNull(1e3 * report.loopErrorMax);
+    json["penetration_max_mm"] = numberOrNull(1e3 * report.penetrationMax);
+    json["solves_per_step"] = numberOrNull(report.solvesPerStep);
     json["solver_messages"] = report.solverMessages;
     json["fallbacks"] = report.fallbacks;
-    json["contact_residual_max_N"] = number(report.contactResidualMax);
+    json["contact_residual_max_N"] = numberOrNull(report.contactResidualMax);
     json["divided_steps"] = report.dividedSteps;
     json["joint_choices"] = report.jointChoices;
-    json["pivot_ratio_min"] = number(report.pivotRatioMin);
+    json["pivot_ratio_min"] = numberOrNull(report.pivotRatioMin);
     json["warnings"] = report.warnings;
     return json;
 }

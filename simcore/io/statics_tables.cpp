@@ -8,6 +8,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "simcore/io/json_format.h"
+
 namespace simcore::io {
 namespace {
 
@@ -15,10 +17,6 @@ using Json = nlohmann::ordered_json;
 using statics::TraverseSample;
 
 constexpr double kPerDegree = std::numbers::pi / 180.0;
-
-Json finite(double value) {
-    return std::isfinite(value) ? Json(value) : Json();
-}
 
 /// The first wheel that limits; "" where nothing holds the rover.
 std::string limitingWheel(const statics::Study& study) {
@@ -29,19 +27,12 @@ std::string limitingWheel(const statics::Study& study) {
 Json toJson(const TraverseSample& sample) {
     return {{"way_m", sample.way},
             {"x_m", sample.distance},
-            {"mu_required", sample.study.feasible ? finite(sample.study.frictionRequired) : Json()},
+            {"mu_required",
+             sample.study.feasible ? numberOrNull(sample.study.frictionRequired) : Json()},
             {"wheel", limitingWheel(sample.study)}};
 }
 
 }  // namespace
-
-std::pair<double, double> rollAndPitch(const Pose& chassis) {
-    const Vec3 forward = chassis.rotation * Vec3::UnitX();
-    const Vec3 left = chassis.rotation * Vec3::UnitY();
-    const double level = std::hypot(forward.x(), forward.y());
-    const Vec3 across(-forward.y() / level, forward.x() / level, 0.0);
-    return {std::atan2(left.z(), left.dot(across)), std::atan2(-forward.z(), level)};
-}
 
 Json toJson(const statics::Study& study) {
     Json json;
@@ -55,7 +46,7 @@ Json toJson(const statics::Study& study) {
     json["equal_torque"] = nullptr;
     if (study.equalTorque) {
         json["equal_torque"] = {{"torque", *study.equalTorque},
-                                {"max_ratio", finite(study.equalMaxRatio)}};
+                                {"max_ratio", numberOrNull(study.equalMaxRatio)}};
     }
     json["optimal"] = nullptr;
     if (study.feasible) {
@@ -72,7 +63,7 @@ Json toJson(const statics::Study& study) {
                                   {"traction_force", wheel.traction},
                                   {"lateral_force", wheel.lateral},
                                   {"torque", wheel.torque},
-                                  {"ratio", finite(wheel.ratio)},
+                                  {"ratio", numberOrNull(wheel.ratio)},
                                   {"contact_angle_deg", wheel.contactAngle / kPerDegree}});
     }
     return json;
@@ -85,12 +76,11 @@ Json toJson(const mechanism::Mechanism& mechanism, const statics::StandingPose& 
         return json;
     }
     const Pose& chassis = pose.bodies[static_cast<std::size_t>(mechanism.chassis)];
-    const auto [roll, pitch] = rollAndPitch(chassis);
     json["x_m"] = chassis.position.x();
     json["y_m"] = chassis.position.y();
     json["z_m"] = chassis.position.z();
-    json["roll_deg"] = roll / kPerDegree;
-    json["pitch_deg"] = pitch / kPerDegree;
+    json["roll_deg"] = roll(chassis) / kPerDegree;
+    json["pitch_deg"] = pitch(chassis) / kPerDegree;
     json["joints"] = Json::array();
     for (const int joint : mechanism.encoderJoints()) {
         const mechanism::Joint& at = mechanism.joints[static_cast<std::size_t>(joint)];
@@ -114,7 +104,7 @@ Json toJson(const statics::Traverse& traverse) {
     json["end"] = toString(traverse.end);
     json["why"] = toString(traverse.why);
     json["samples"] = traverse.samples.size();
-    json["mu_required"] = finite(traverse.frictionRequired());
+    json["mu_required"] = numberOrNull(traverse.frictionRequired());
     json["hardest"] =
         traverse.samples.empty() ? Json() : toJson(traverse.samples[traverse.hardest()]);
     json["events"] = Json::array();
@@ -157,9 +147,8 @@ std::string traverseTable(const mechanism::Mechanism& mechanism,
     for (const TraverseSample& sample : traverse.samples) {
         const statics::Study& study = sample.study;
         const Pose& chassis = sample.pose.bodies[static_cast<std::size_t>(mechanism.chassis)];
-        const auto [roll, pitch] = rollAndPitch(chassis);
         text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}", sample.way,
-                            sample.distance, chassis.position.z(), roll, pitch,
+                            sample.distance, chassis.position.z(), roll(chassis), pitch(chassis),
                             sample.climbs ? 1 : 0, study.feasible ? 1 : 0,
                             cell(study.feasible ? study.frictionRequired : kMissing),
                             cell(study.equalTorque.value_or(kMissing)),

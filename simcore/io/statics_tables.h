@@ -25,7 +25,4 @@ nlohmann::ordered_json toJson(const statics::Capability& capability);
 /// One row a sample: UTF-8, comma, one header row.
 std::string traverseTable(const mechanism::Mechanism& mechanism, const statics::Traverse& traverse);
 
-/// Roll, pitch [rad] of a chassis: to the right, nose down.
-std::pair<double, double> rollAndPitch(const Pose& chassis);
-
 }  // namespace simcore::io

@@ -45,4 +45,10 @@ double characteristicLength(const mechanism::Mechanism& mechanism) {
     return extent > 1e-6 ? extent : 1.0;
 }
 
+double contactAngle(const Vec3& normal, const Vec3& axis) {
+    const Vec3 forward = axis.cross(Vec3::UnitZ()).normalized();
+    const Vec3 up = forward.cross(axis);
+    return std::atan2(-normal.dot(forward), normal.dot(up));
+}
+
 }  // namespace simcore::mobility

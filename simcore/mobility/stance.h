@@ -33,6 +33,10 @@ Vec3 rollingDirection(const mechanism::Wheel& wheel, const Pose& X_WB, const Vec
 /// normal, positive when the obstacle is ahead [rad].
 WheelStand standAtAngle(const mechanism::Wheel& wheel, const Pose& X_WB, double angle);
 
+/// That angle of a contact normal [rad].
+/// @param axis  unit axle, to the rover's left, world
+double contactAngle(const Vec3& normal, const Vec3& axis);
+
 /// The length that makes translations and turns comparable [m]: the wheelbase or, without wheels in
 /// a row, the diagonal of the box around all joint points; 1 m when that has no size either.
 double characteristicLength(const mechanism::Mechanism& mechanism);

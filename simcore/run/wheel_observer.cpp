@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simcore/mobility/stance.h"
+
 namespace simcore::run {
 namespace {
 
@@ -78,9 +80,7 @@ void WheelObserver::observeContact(std::size_t wheel, const Pose& pose,
     if (rolls) {
         frame.normal = normalSum.normalized();
         frame.effectiveRadius = radiusSum / rollingLoad;
-        const Vec3 forward = axis.cross(Vec3::UnitZ()).normalized();
-        const Vec3 up = forward.cross(axis);
-        frame.angle = std::atan2(-frame.normal.dot(forward), frame.normal.dot(up));
+        frame.angle = mobility::contactAngle(frame.normal, axis);
     }
     state.contactAngle = frame.angle;
     const Vec3 tangent = axis.cross(frame.normal).normalized();

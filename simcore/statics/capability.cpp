@@ -18,11 +18,10 @@ constexpr double kHalfWidth = 50.0;   // of the ground [m]
 constexpr double kBeyond = 50.0;      // the ground goes on [m]
 constexpr double kSampleStep = 0.25;  // radii
 
-/// Foremost, rearmost wheel and least radius.
+/// Of all wheels on the ground as drawn.
 struct Extent {
     double front = -std::numeric_limits<double>::infinity();
     double rear = std::numeric_limits<double>::infinity();
-    double radius = std::numeric_limits<double>::infinity();
 };
 
 Extent extentOf(const mechanism::Mechanism& mechanism) {
@@ -30,7 +29,6 @@ Extent extentOf(const mechanism::Mechanism& mechanism) {
     for (const mechanism::Wheel& wheel : mechanism.wheels) {
         extent.front = std::max(extent.front, wheel.center.x() + wheel.radius);
         extent.rear = std::min(extent.rear, wheel.center.x() - wheel.radius);
-        extent.radius = std::min(extent.radius, wheel.radius);
     }
     return extent;
 }
@@ -86,7 +84,7 @@ bool climbsStairs(const mechanism::Mechanism& mechanism, const ClimbRequest& req
     TraverseRequest traverseRequest;
     traverseRequest.backwards = request.backwards;
     traverseRequest.step = kSampleStep;
-    const double gap = 0.5 * extent.radius;
+    const double gap = 0.5 * leastRadius(mechanism);
     traverseRequest.from.x = request.backwards ? -extent.rear + gap : -extent.front - gap;
     traverseRequest.distance = extent.front - extent.rear + tread * (count - 1) + 2.0 * gap;
     const Traverse result = traverse(solver, traverseRequest, [&](const TraverseSample& sample) {
@@ -98,7 +96,7 @@ bool climbsStairs(const mechanism::Mechanism& mechanism, const ClimbRequest& req
 
 Capability whatItClimbs(const mechanism::Mechanism& mechanism, const ClimbRequest& request) {
     Capability capability;
-    const double highest = kHighest * extentOf(mechanism).radius;
+    const double highest = kHighest * leastRadius(mechanism);
     std::tie(capability.step, capability.stepLimited) =
         largest(highest, kHeightTolerance,
                 [&](double height) { return climbsStairs(mechanism, request, height, 1.0, 1); });

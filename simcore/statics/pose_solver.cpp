@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -40,7 +39,8 @@ constexpr double kLongestStep = 0.25;  ///< of a wheel, in radii
 constexpr double kLeastMetric = 1e-5;
 /// A rover is lowered without the curvature of its energy, which only hanging parts need.
 constexpr int kStraightSteps = 4;
-constexpr double kUpright = 0.25;  ///< cosine of the chassis' tilt, beyond it has tipped over
+constexpr double kWithoutWheels = 0.1;  ///< instead of a radius [m] (assumed)
+constexpr double kUpright = 0.25;       ///< cosine of the chassis' tilt, beyond it has tipped over
 /// Rows of what holds the rover: along its course, across it, its heading.
 constexpr Eigen::Index kHeld = 3;
 /// Share of the largest pivot below which a row depends on the others.
@@ -52,17 +52,12 @@ constexpr double kSameFace = 0.999;  ///< cosine between normals of one face, or
 /// Contacts of one wheel whose normals are this alike are one foothold (cosine of 20 deg).
 constexpr double kOnePlace = 0.94;
 
-double smallestRadius(const mechanism::Mechanism& mechanism) {
-    double radius = std::numeric_limits<double>::infinity();
-    for (const mechanism::Wheel& wheel : mechanism.wheels) {
-        radius = std::min(radius, wheel.radius);
+double lowestOf(const terrain::Terrain& terrain) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec3& vertex : terrain.mesh().vertices) {
+        lowest = std::min(lowest, vertex.z());
     }
-    return mechanism.wheels.empty() ? 0.1 : radius;
-}
-
-double headingOf(const Pose& chassis) {
-    const Vec3 forward = chassis.rotation * Vec3::UnitX();
-    return std::atan2(forward.y(), forward.x());
+    return lowest;
 }
 
 Vec3 leftOf(double heading) {
@@ -71,10 +66,12 @@ Vec3 leftOf(double heading) {
 
 }  // namespace
 
-double contactAngle(const Vec3& normal, const Vec3& axis) {
-    const Vec3 forward = axis.cross(Vec3::UnitZ()).normalized();
-    const Vec3 up = forward.cross(axis);
-    return std::atan2(-normal.dot(forward), normal.dot(up));
+double leastRadius(const mechanism::Mechanism& mechanism) {
+    double radius = std::numeric_limits<double>::infinity();
+    for (const mechanism::Wheel& wheel : mechanism.wheels) {
+        radius = std::min(radius, wheel.radius);
+    }
+    return radius;
 }
 
 std::string toString(Standing standing) {
@@ -96,7 +93,9 @@ std::string toString(Standing standing) {
 PoseSolver::PoseSolver(StaticModel& model, const terrain::Terrain& terrain, int slices)
     : model_(model),
       terrain_(terrain),
-      reach_(0.5 * smallestRadius(model.mechanism())),
+      lowest_(lowestOf(terrain)),
+      reach_(0.5 *
+             (model.mechanism().wheels.empty() ? kWithoutWheels : leastRadius(model.mechanism()))),
       wheels_(model.mechanism(), terrain, slices, reach_),
       bodies_(model.mechanism(), terrain, reach_) {}
 
@@ -180,7 +179,7 @@ StandingPose PoseSolver::roll(const StandingPose& from, double way, bool backwar
     held.what = Held::What::Way;
     held.way = way;
     const Pose& chassis = from.bodies[static_cast<std::size_t>(mechanism().chassis)];
-    held.place = {chassis.position.x(), chassis.position.y(), headingOf(chassis)};
+    held.place = {chassis.position.x(), chassis.position.y(), yaw(chassis)};
     held.along = rollingAlong(from, backwards);
     if (held.along.empty()) {
         StandingPose hangs = from;
@@ -216,8 +215,7 @@ std::vector<Vec3> PoseSolver::courseFrom(const StandingPose& from,
         return model_.workOf(wheel.body, direction,
                              poses[static_cast<std::size_t>(wheel.body)] * wheel.center);
     };
-    MatrixXd metric = model_.inertia();
-    metric.diagonal().array() += 1e-9 * metric.diagonal().maxCoeff();
+    MatrixXd metric = inertia();
     // Contacts hold far more firmly than inertia; where they contradict each other, as best they
     // can.
     constexpr double kFirmly = 1e6;
@@ -242,7 +240,7 @@ std::vector<Vec3> PoseSolver::courseFrom(const StandingPose& from,
     const Pose& chassis = poses[static_cast<std::size_t>(mechanism.chassis)];
     MatrixXd rows(3, n);
     rows.row(0) = on;
-    rows.row(1) = model_.workOf(mechanism.chassis, leftOf(headingOf(chassis)), chassis.position);
+    rows.row(1) = model_.workOf(mechanism.chassis, leftOf(yaw(chassis)), chassis.position);
     rows.row(2) = headingRow(chassis);
     const VectorXd motion = minimise({metric, VectorXd::Zero(n), rows, VectorXd::Unit(3, 0), 3}).x;
     // What a wheel leaves opens; so a wheel at a wall goes up it, even if that moves the rover
@@ -271,7 +269,6 @@ std::vector<Vec3> PoseSolver::courseFrom(const StandingPose& from,
     return course;
 }
 
-/// Of every wheel that touches the foremost foothold, or the rearmost.
 std::vector<Contact> rollingAlong(const StandingPose& pose, bool backwards) {
     std::vector<Contact> contacts;
     for (std::size_t i = 0; i < pose.footholds.size(); ++i) {
@@ -284,6 +281,13 @@ std::vector<Contact> rollingAlong(const StandingPose& pose, bool backwards) {
         }
     }
     return contacts;
+}
+
+/// Of the motions, with a little more for those that nothing heavy takes part in.
+MatrixXd PoseSolver::inertia() {
+    MatrixXd inertia = model_.inertia();
+    inertia.diagonal().array() += 1e-9 * inertia.diagonal().maxCoeff();
+    return inertia;
 }
 
 /// How the heading turns with the chassis.
@@ -338,8 +342,7 @@ void PoseSolver::assemble(const Held& held) {
     program_.rows.row(1) = model_.workOf(c, left, chassis.position);
     program_.bounds[1] = left.dot(away);
     program_.rows.row(2) = headingRow(chassis);
-    program_.bounds[2] =
-        std::remainder(held.place.heading - headingOf(chassis), 2.0 * std::numbers::pi);
+    program_.bounds[2] = std::remainder(held.place.heading - yaw(chassis), 2.0 * std::numbers::pi);
 
     Eigen::Index row = kHeld;
     for (const contact::Contact& contact : contacts_) {
@@ -356,8 +359,7 @@ void PoseSolver::assemble(const Held& held) {
     if (held.what == Held::What::Way) {
         keepRolling(held.along);
     }
-    metric_ = model_.inertia();
-    metric_.diagonal().array() += 1e-9 * metric_.diagonal().maxCoeff();
+    metric_ = inertia();
 }
 
 /// Wheels that roll stay on the ground: what each rolls along becomes an equation. Which wheel
@@ -441,10 +443,6 @@ MatrixXd PoseSolver::convexPart() const {
 StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
     const mechanism::Mechanism& mechanism = model_.mechanism();
     const double radius = 2.0 * reach_;
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const Vec3& vertex : terrain_.mesh().vertices) {
-        lowest = std::min(lowest, vertex.z());
-    }
     StandingPose result;
     double stiffness = dynamics::kGravity / (kFall * radius);  // [1/s^2]
     const double start = stiffness;
@@ -463,7 +461,7 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
             break;
         }
         assemble(held);
-        if (contacts_.empty() && chassis.position.z() < lowest - 1.0) {
+        if (contacts_.empty() && chassis.position.z() < lowest_ - 1.0) {
             result.standing = Standing::NoGround;
             break;
         }
@@ -517,7 +515,7 @@ void PoseSolver::describe(StandingPose& result) const {
     result.bodies = model_.poses();
     result.clearance = reach_;
     result.potential = model_.potential(dynamics::kGravity);
-    std::map<std::pair<int, int>, int> counts;
+    std::vector<int> merged;  // contacts in each foothold
     for (const contact::Contact& contact : contacts_) {
         if (contact.wheel < 0) {
             result.clearance = std::min(result.clearance, -contact.depth);
@@ -531,8 +529,6 @@ void PoseSolver::describe(StandingPose& result) const {
         if (contact.depth < -kTouching || contact.slice == contact::kSide) {
             continue;
         }
-        const mechanism::Wheel& wheel = mechanism.wheels[static_cast<std::size_t>(contact.wheel)];
-        const Pose& X_WB = result.bodies[static_cast<std::size_t>(wheel.body)];
         const auto same = std::find_if(
             result.footholds.begin(), result.footholds.end(), [&](const Foothold& there) {
                 return there.contact.wheel == contact.wheel &&
@@ -541,22 +537,21 @@ void PoseSolver::describe(StandingPose& result) const {
         if (same == result.footholds.end()) {
             result.footholds.push_back(
                 {{contact.wheel, contact.point, contact.normal, contact.forward}, 0.0});
-            counts[{contact.wheel, static_cast<int>(result.footholds.size())}] = 1;
+            merged.push_back(1);
         } else {
-            const int index = static_cast<int>(same - result.footholds.begin()) + 1;
-            const double n = ++counts[{contact.wheel, index}];
+            const double n = ++merged[static_cast<std::size_t>(same - result.footholds.begin())];
             same->contact.point += (contact.point - same->contact.point) / n;
             same->contact.normal =
                 (same->contact.normal + (contact.normal - same->contact.normal) / n).normalized();
         }
-        (void)X_WB;
     }
     for (Foothold& foothold : result.footholds) {
         const mechanism::Wheel& wheel =
             mechanism.wheels[static_cast<std::size_t>(foothold.contact.wheel)];
         const Pose& X_WB = result.bodies[static_cast<std::size_t>(wheel.body)];
         foothold.contact.forward = mobility::rollingDirection(wheel, X_WB, foothold.contact.normal);
-        foothold.angle = contactAngle(foothold.contact.normal, X_WB.rotation * wheel.axis);
+        foothold.angle =
+            mobility::contactAngle(foothold.contact.normal, X_WB.rotation * wheel.axis);
     }
     std::sort(result.footholds.begin(), result.footholds.end(),
               [](const Foothold& a, const Foothold& b) {

@@ -96,6 +96,7 @@ class PoseSolver {
     void assemble(const Held& held);
     std::vector<Vec3> courseFrom(const StandingPose& from, const std::vector<Contact>& along,
                                  bool backwards);
+    Eigen::MatrixXd inertia();
     Eigen::RowVectorXd headingRow(const Pose& chassis) const;
     void keepRolling(const std::vector<Contact>& along);
     void bend(const dynamics::TreeState& state);
@@ -106,7 +107,8 @@ class PoseSolver {
 
     StaticModel& model_;
     const terrain::Terrain& terrain_;
-    double reach_;  ///< how far ahead the ground is looked at [m]
+    double lowest_;  ///< of the ground [m]
+    double reach_;   ///< how far ahead the ground is looked at [m]
     contact::WheelContactFinder wheels_;
     contact::BodyContactFinder bodies_;
     std::vector<contact::Contact> contacts_;     ///< rows after the held ones
@@ -116,8 +118,8 @@ class PoseSolver {
     Eigen::MatrixXd bent_;  ///< curvature of the energy
 };
 
-/// From up to the normal in the plane of the wheel, whose axle points along `axis` (left) [rad].
-double contactAngle(const Vec3& normal, const Vec3& axis);
+/// Of the wheels [m]; infinite without any.
+double leastRadius(const mechanism::Mechanism& mechanism);
 
 std::string toString(Standing standing);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "simcore/dynamics/engine.h"
+#include "simcore/mobility/stance.h"
 
 namespace simcore::statics {
 namespace {
@@ -95,7 +96,7 @@ Study studyContacts(StaticModel& model, const std::vector<Contact>& contacts,
         WheelStudy& wheel = study.wheels[static_cast<std::size_t>(contact.wheel)];
         const mechanism::Wheel& at = mechanism.wheels[static_cast<std::size_t>(contact.wheel)];
         wheel.touches = true;
-        wheel.contactAngle = contactAngle(
+        wheel.contactAngle = mobility::contactAngle(
             contact.normal, model.poses()[static_cast<std::size_t>(at.body)].rotation * at.axis);
     }
     for (const WheelStudy& wheel : study.wheels) {

@@ -174,14 +174,13 @@ class Centers {
         return s;
     }
 
-    /// From a `y` inside all of them, to `tolerance` of s, or until s is below `enough`.
-    void minimise(VectorXd& y, double tolerance,
-                  double enough = -std::numeric_limits<double>::infinity()) const {
+    /// From a `y` inside all of them, to `tolerance` of s.
+    void minimise(VectorXd& y, double tolerance) const {
         double allowed = 1.5 * reached(y) + tolerance;
         for (int k = 0; k < kMaxCenters; ++k) {
             center(y, allowed);
             const double s = reached(y);
-            if (s <= enough || s <= tolerance) {
+            if (s <= tolerance) {
                 return;
             }
             const double next = s + kBack * (allowed - s);

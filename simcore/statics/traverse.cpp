@@ -51,12 +51,8 @@ class Creep {
         : solver_(solver),
           request_(request),
           sign_(request.backwards ? -1.0 : 1.0),
-          ahead_(std::cos(request.from.heading), std::sin(request.from.heading), 0.0) {
-        radius_ = std::numeric_limits<double>::infinity();
-        for (const mechanism::Wheel& wheel : solver.mechanism().wheels) {
-            radius_ = std::min(radius_, wheel.radius);
-        }
-    }
+          ahead_(std::cos(request.from.heading), std::sin(request.from.heading), 0.0),
+          radius_(leastRadius(solver.mechanism())) {}
 
     Traverse follow(const std::function<bool(const TraverseSample&)>& watch) {
         Traverse result;
@@ -265,7 +261,7 @@ class Creep {
     const TraverseRequest& request_;
     double sign_;
     Vec3 ahead_;
-    double radius_ = 0.0;
+    double radius_;
 };
 
 }  // namespace
