@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <osg/ColorMask>
 #include <osg/Geode>
 #include <osg/MatrixTransform>
 #include <osgUtil/IntersectionVisitor>
@@ -28,6 +29,9 @@ using simcore::mechanism::Mechanism;
 using simcore::run::Snapshot;
 
 constexpr std::size_t kShadedWheels = 8;
+// After the solid things, before the overlays (bin 10 and on).
+constexpr int kGhostDepthBin = 8;
+constexpr int kGhostBin = 9;
 
 osg::Matrixd matrixOf(const Pose& pose) {
     const auto& q = pose.rotation;
@@ -54,6 +58,16 @@ Snapshot drawnPose(const Mechanism& mechanism) {
     return snapshot;
 }
 
+osg::ref_ptr<osg::MatrixTransform> makeBody(const Mechanism& mechanism, int body) {
+    osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform;
+    transform->setDataVariance(osg::Object::DYNAMIC);
+    transform->setName(mechanism.bodies[static_cast<std::size_t>(body)].name);
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(makeBodyGeometry(mechanism, body));
+    transform->addChild(geode);
+    return transform;
+}
+
 }  // namespace
 
 struct Scene::Impl {
@@ -72,6 +86,9 @@ struct Scene::Impl {
     osg::ref_ptr<osg::Group> ground = new osg::Group;
     osg::ref_ptr<osg::Group> overlays = new osg::Group;
     std::vector<osg::ref_ptr<osg::MatrixTransform>> bodies;
+    std::shared_ptr<const Mechanism> ghost;
+    osg::ref_ptr<osg::Group> ghostRover = new osg::Group;
+    std::vector<osg::ref_ptr<osg::MatrixTransform>> ghostBodies;
     std::vector<osg::ref_ptr<osg::Uniform>> highlights;
     SunShadow sun{Quality{}.shadowSize};
     BadgeNode badges;
@@ -80,7 +97,9 @@ struct Scene::Impl {
     osg::ref_ptr<osg::Node> measured;  ///< ground with the grid
 
     Impl();
+    void attachGhost();
     void buildRover();
+    void buildGhost();
     void buildGround();
     void place();
     void buildOverlays();
@@ -114,8 +133,32 @@ Scene::Impl::Impl()
     root->addChild(sun.camera());
     root->addChild(ground);
     root->addChild(rover);
+    attachGhost();
     root->addChild(overlays);
     root->addChild(makeSky());
+}
+
+void Scene::Impl::attachGhost() {
+    // Its depth first, so that only what is in front shows through, and not all parts at once.
+    osg::ref_ptr<osg::Group> depth = new osg::Group;
+    depth->getOrCreateStateSet()->setAttribute(new osg::ColorMask(false, false, false, false));
+    depth->getOrCreateStateSet()->setRenderBinDetails(kGhostDepthBin, "RenderBin");
+    osg::ref_ptr<osg::Group> color = new osg::Group;
+    color->getOrCreateStateSet()->setDefine("GHOST");
+    makeBlended(*color->getOrCreateStateSet(), kGhostBin, true);
+    for (const osg::ref_ptr<osg::Group>& pass : {depth, color}) {
+        pass->addChild(ghostRover);
+        root->addChild(pass);
+    }
+}
+
+void Scene::Impl::buildGhost() {
+    ghostRover->removeChildren(0, ghostRover->getNumChildren());
+    ghostBodies.clear();
+    for (std::size_t i = 0; ghost && i < ghost->bodies.size(); ++i) {
+        ghostBodies.push_back(makeBody(*ghost, static_cast<int>(i)));
+        ghostRover->addChild(ghostBodies.back());
+    }
 }
 
 void Scene::Impl::buildRover() {
@@ -123,12 +166,8 @@ void Scene::Impl::buildRover() {
     bodies.clear();
     highlights.clear();
     for (std::size_t i = 0; i < mechanism.bodies.size(); ++i) {
-        osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform;
-        transform->setDataVariance(osg::Object::DYNAMIC);
-        transform->setName(mechanism.bodies[i].name);
-        osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-        geode->addDrawable(makeBodyGeometry(mechanism, static_cast<int>(i)));
-        transform->addChild(geode);
+        const osg::ref_ptr<osg::MatrixTransform> transform =
+            makeBody(mechanism, static_cast<int>(i));
         highlights.emplace_back(new osg::Uniform(uniform::kHighlight, 0.0F));
         transform->getOrCreateStateSet()->addUniform(highlights.back());
         rover->addChild(transform);
@@ -277,6 +316,23 @@ void Scene::setSnapshot(const Snapshot& snapshot) {
     impl_->snapshot = snapshot;
     impl_->trail.record(snapshot);
     impl_->place();
+}
+
+void Scene::setGhost(std::shared_ptr<const Mechanism> mechanism, const std::vector<Pose>& bodies) {
+    if (mechanism != nullptr && mechanism->bodies.size() != bodies.size()) {
+        throw std::invalid_argument("The ghost's poses are of another mechanism.");
+    }
+    if (mechanism != impl_->ghost) {
+        impl_->ghost = std::move(mechanism);
+        impl_->buildGhost();
+    }
+    for (std::size_t i = 0; i < impl_->ghostBodies.size(); ++i) {
+        impl_->ghostBodies[i]->setMatrix(matrixOf(bodies[i]));
+    }
+}
+
+bool Scene::hasGhost() const {
+    return impl_->ghost != nullptr;
 }
 
 void Scene::showDrawnPose() {

@@ -81,6 +81,11 @@ class Scene {
     /// bodies or wheels differs. The trail ends at this instant; what was seen beyond it shows
     /// again when the time moves on.
     void setSnapshot(const simcore::run::Snapshot& snapshot);
+    /// A second rover, translucent, with no part in picking and overlays; null: none.
+    /// std::invalid_argument when the number of bodies differs.
+    void setGhost(std::shared_ptr<const simcore::mechanism::Mechanism> mechanism,
+                  const std::vector<simcore::Pose>& bodies);
+    bool hasGhost() const;
     /// All bodies as designed: the rover frame lies on the world frame.
     void showDrawnPose();
 

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     roversim::addValidateCommand(app, exitCode);
     roversim::addRunCommand(app, exitCode);
     roversim::addCriticalFrictionCommand(app, exitCode);
+    roversim::addExperimentCommand(app, exitCode);
     roversim::addChannelsCommand(app, exitCode);
     roversim::addReplayCommand(app, exitCode);
     roversim::addExportCommand(app, exitCode);

@@ -10,6 +10,9 @@
 
 #include "simcore/base/version.h"
 #include "simcore/io/project_file.h"
+#include "simcore/project/names.h"
+#include "widgets/panels/compare_panel.h"
+#include "widgets/session/experiment.h"
 #include "widgets/session/run_bar.h"
 #include "widgets/session/statics_session.h"
 #include "widgets/window/file_commands.h"
@@ -29,8 +32,13 @@ struct Options {
     std::string theme;
     std::string scenario;
     std::string panel;
+    std::string controller, against;
     double runFor = 0.0;
 };
+
+simcore::project::ControllerKind kindOf(const std::string& name) {
+    return simcore::project::fromName<simcore::project::ControllerKind>(name).value();
+}
 
 /// "1280x800" -> size; an invalid size for anything else.
 QSize sizeFrom(const std::string& text) {
@@ -67,7 +75,8 @@ int takeScreenshot(widgets::MainWindow& window, const Options& options) {
         }
     } else if (options.runFor > 0.0) {
         window.session().setSpeedFactor(0.0);
-        if (!window.playPause()) {
+        const bool drives = options.against.empty() ? window.playPause() : window.runExperiment();
+        if (!drives) {
             std::fprintf(stderr,
                          "roverstudio: %s: scenario %s cannot run; see 'roversim validate'\n",
                          options.file.c_str(), window.runBar().scenario().toUtf8().constData());
@@ -76,8 +85,11 @@ int takeScreenshot(widgets::MainWindow& window, const Options& options) {
         using State = widgets::RunSession::State;
         constexpr int kLongest_ms = 600000;
         waitFor(kLongest_ms, [&] {
-            return window.session().state() != State::Playing ||
-                   window.session().endTime() >= options.runFor;
+            const widgets::RunSession* rival = window.experiment().rival();
+            const auto reached = [&](const widgets::RunSession& run) {
+                return run.state() != State::Playing || run.endTime() >= options.runFor;
+            };
+            return reached(window.session()) && (rival == nullptr || reached(*rival));
         });
         window.session().pause();
         window.session().setSpeedFactor(1.0);
@@ -130,6 +142,12 @@ int run(const Options& options) {
             return kAnswerIsNo;
         }
     }
+    if (!options.controller.empty()) {
+        window.runBar().setController(kindOf(options.controller));
+    }
+    if (!options.against.empty()) {
+        window.compare().setRival(kindOf(options.against));
+    }
     if (!options.panel.empty()) {
         window.showPanel(QString::fromStdString(options.panel));
     }
@@ -163,7 +181,16 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember({"dark", "light"}));
     commands.add_option("--scenario", options.scenario, "scenario to choose");
     commands.add_option("--panel", options.panel, "panel to bring to the front")
-        ->check(CLI::IsMember({"rover", "mobility", "statics", "mass", "problems", "run"}));
+        ->check(
+            CLI::IsMember({"rover", "mobility", "statics", "compare", "mass", "problems", "run"}));
+    const CLI::IsMember isController(
+        simcore::project::allNames<simcore::project::ControllerKind>());
+    commands.add_option("--controller", options.controller, "controller to choose")
+        ->check(isController);
+    commands
+        .add_option("--against", options.against,
+                    "second controller; with --run-for: drives beside the first")
+        ->check(isController);
     commands
         .add_option("--run-for", options.runFor,
                     "with --screenshot: drive this long first [s of simulated time]")

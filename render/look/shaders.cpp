@@ -152,7 +152,14 @@ void main() {
     float haze = length(worldPosition.xy - fogCenter.xy);
     float clear = exp2(-haze * haze * 0.0042);
     color = mix(fogColor, color, clear);
-    gl_FragColor = vec4(toScreen(color), 1.0);
+    vec3 screen = toScreen(color);
+#ifdef GHOST
+    // Pale blue, denser at its edges, so that it is told from the rover itself.
+    float edge = 1.0 - max(dot(n, v), 0.0);
+    gl_FragColor = vec4(mix(screen, vec3(0.48, 0.75, 1.0), 0.65), 0.42 + 0.45 * edge * edge);
+#else
+    gl_FragColor = vec4(screen, 1.0);
+#endif
 }
 )";
 
@@ -230,7 +237,7 @@ osg::Vec3 sunDirection() {
 
 osg::ref_ptr<osg::Program> makeSurfaceProgram() {
     return makeProgram("surface", kSurfaceVertex,
-                       std::string("#pragma import_defines(SHADOWS, PCF, TERRAIN, GRID)\n") +
+                       std::string("#pragma import_defines(SHADOWS, PCF, TERRAIN, GRID, GHOST)\n") +
                            kCommon + kSurfaceFragment);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -43,6 +44,23 @@ struct WheelCommand {
 inline constexpr double kLoopProportional = 0.5;
 inline constexpr double kLoopIntegral = 5.0;
 
+/// What a controller had in mind at its last look, for those who watch it: NaN where it thinks of
+/// no such thing.
+struct Intent {
+    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+    struct Wheel {
+        double torque = kNone;       ///< of least required friction, by the rover's model [N m]
+        double normalForce = kNone;  ///< what those torques make of the load [N]
+        double rate = kNone;         ///< that is wanted of the wheel [rad/s]
+    };
+
+    double commonTorque = kNone;      ///< Mc, of the loop on the body's speed [N m]
+    double requiredFriction = kNone;  ///< by the rover's model [-]
+    double frictionCap = kNone;       ///< friction that the ground is trusted with [-]
+    std::vector<Wheel> wheels;        ///< mechanism order
+};
+
 struct ControllerSettings {
     project::ControllerKind kind = project::ControllerKind::Speed;
     double assumedFriction = 0.5;
@@ -62,6 +80,20 @@ class Controller {
     /// Called once per period; writes one command per wheel.
     virtual void update(const Sensors& sensors, const DriveCommand& command,
                         std::span<WheelCommand> wheels) = 0;
+
+    /// Of the last update(). Empty before the first.
+    const Intent& intent() const { return intent_; }
+
+  protected:
+    /// For update() to fill: nothing is in mind for this many wheels.
+    Intent& newIntent(std::size_t wheels) {
+        intent_.commonTorque = intent_.requiredFriction = intent_.frictionCap = Intent::kNone;
+        intent_.wheels.assign(wheels, {});
+        return intent_;
+    }
+
+  private:
+    Intent intent_;
 };
 
 /// Every wheel rolls as the rover's speed and turn want it (steering.h), by a PI loop per wheel;

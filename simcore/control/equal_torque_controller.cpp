@@ -28,6 +28,7 @@ class EqualTorqueController final : public Controller {
 
     void update(const Sensors& sensors, const DriveCommand& command,
                 std::span<WheelCommand> out) override {
+        Intent& intent = newIntent(wheels_.size());
         if (command.brake) {
             reset();
             brake_->update(sensors, command, out);
@@ -38,8 +39,12 @@ class EqualTorqueController final : public Controller {
             meanLoad += wheel.normalForce / static_cast<double>(sensors.wheels.size());
         }
         const double common = loop_.torque(sensors.bodySpeed, command.speed);
+        intent.commonTorque = common;
+        if (settings_.assumedFriction > 0.0) {
+            intent.frictionCap = settings_.assumedFriction;
+        }
+        command_ = command;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
-            command_ = command;
             out[i] = share(wheels_[i], sensors.wheels[i], common, meanLoad);
         }
     }

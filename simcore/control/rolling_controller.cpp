@@ -79,6 +79,7 @@ class RollingController final : public Controller {
 
     void update(const Sensors& sensors, const DriveCommand& command,
                 std::span<WheelCommand> out) override {
+        intent_ = &newIntent(wheels_.size());
         if (command.brake) {
             reset();
             brake_->update(sensors, command, out);
@@ -136,6 +137,9 @@ class RollingController final : public Controller {
         const double share = settings_.period / (kSmoothing + settings_.period);
         rates_ += share * (asked / fastest - rates_);
         pace_ += share * (1.0 / fastest - pace_);
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            intent_->wheels[i].rate = rates_[static_cast<Eigen::Index>(i)];
+        }
     }
 
     /// Torques of least required friction. Where none are found, the last ones fade.
@@ -153,11 +157,26 @@ class RollingController final : public Controller {
                 solution = traction.equalTorque();
             }
         }
+        if (solution.way != statics::Way::None) {
+            intend(contacts, solution);
+        }
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             optimum_[i] = solution.way == statics::Way::None
                               ? kFade * optimum_[i]
                               : std::clamp(solution.forces.torque[i], -wheels_[i].torqueLimit,
                                            wheels_[i].torqueLimit);
+        }
+    }
+
+    void intend(const std::vector<statics::Contact>& contacts, const statics::Solution& solution) {
+        intent_->requiredFriction = solution.friction;
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            intent_->wheels[i].torque = solution.forces.torque[i];
+            intent_->wheels[i].normalForce = 0.0;
+        }
+        for (std::size_t c = 0; c < contacts.size(); ++c) {
+            intent_->wheels[static_cast<std::size_t>(contacts[c].wheel)].normalForce +=
+                solution.forces.normal[c];
         }
     }
 
@@ -190,6 +209,10 @@ class RollingController final : public Controller {
     void driveByTorque(const Sensors& sensors, const DriveCommand& command,
                        std::span<WheelCommand> out) {
         const double common = loop_.torque(sensors.bodySpeed, command.speed, held_);
+        intent_->commonTorque = common;
+        if (settings_.assumedFriction > 0.0) {
+            intent_->frictionCap = settings_.assumedFriction;
+        }
         held_ = true;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             out[i] = {};
@@ -208,6 +231,8 @@ class RollingController final : public Controller {
                      std::span<WheelCommand> out) {
         learnFriction(sensors, command);
         const double common = loop_.torque(sensors.bodySpeed, command.speed, held_);
+        intent_->commonTorque = common;
+        intent_->frictionCap = friction_;
         held_ = true;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             const double cap = tractionCap(sensors, i, friction_);
@@ -279,6 +304,7 @@ class RollingController final : public Controller {
     BodySpeedLoop loop_;
     HeadingHold heading_;
     std::unique_ptr<Controller> brake_;
+    Intent* intent_ = nullptr;       ///< of this update
     Eigen::VectorXd rates_;          ///< at which nothing slips [rad/s]
     std::vector<double> optimum_;    ///< of least required friction [N m]
     std::vector<double> given_;      ///< by the model and the PID, in the last period [N m]

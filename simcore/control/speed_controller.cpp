@@ -47,6 +47,7 @@ class SpeedController final : public Controller {
         if (!command.brake) {
             plan(sensors, command.speed, turn);
         }
+        Intent& intent = newIntent(wheels_.size());
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             out[i].torqueCap = wheels_[i].torqueLimit;
             out[i].steering = plans_[i].jointSign * motions_[i].angle;
@@ -56,6 +57,7 @@ class SpeedController final : public Controller {
             }
             out[i].mode = WheelMode::Speed;
             out[i].speed = motions_[i].speed / wheels_[i].radius;
+            intent.wheels[i].rate = out[i].speed;
             const auto gain = [&](double set, double share) {
                 return set > 0.0 ? set : share * wheels_[i].torqueLimit;
             };

@@ -10,8 +10,6 @@ namespace {
 
 constexpr int kSamples = 2000;
 constexpr double kTail = 0.025;
-/// Of energies and work [J].
-constexpr double kEnergyResolution = 1e-6;
 
 struct Pair {
     const Outcome* own;

@@ -54,6 +54,9 @@ struct Comparison {
 /// measured is the sampling of the way, some tenths of a millimetre [m].
 inline constexpr double kSlipResolution = 1e-3;
 
+/// Energy and work that make no difference [J].
+inline constexpr double kEnergyResolution = 1e-6;
+
 /// On full terrain two rovers that end further apart did not drive the same way [m] (paper).
 inline constexpr double kSameEnd = 0.1;
 

@@ -8,7 +8,6 @@
 
 #include "simcore/project/names.h"
 #include "simcore/project/resolve.h"
-#include "simcore/run/simulation.h"
 
 namespace simcore::experiment {
 namespace {
@@ -128,12 +127,18 @@ Outcome drive(const project::Project& project, const Plan& plan, const Case& wha
     while (!simulation.finished()) {
         simulation.step();
     }
-    const run::RunReport report = simulation.report();
-    const run::Snapshot& end = simulation.snapshot();
-    const auto chassis = static_cast<std::size_t>(simulation.settings().mechanism.chassis);
-    Outcome outcome;
+    Outcome outcome =
+        outcomeOf(simulation.report(), simulation.snapshot(), simulation.settings().mechanism);
     outcome.ran = what;
-    outcome.completed = report.stopReason == run::StopReason::Completed;
+    return outcome;
+}
+
+Outcome outcomeOf(const run::RunReport& report, const run::Snapshot& end,
+                  const mechanism::Mechanism& mechanism) {
+    const auto chassis = static_cast<std::size_t>(mechanism.chassis);
+    Outcome outcome;
+    outcome.completed = report.completed;
+    outcome.time = report.simTime;
     outcome.stopReason = run::toString(report.stopReason);
     outcome.slipAbs = report.slipAbs;
     outcome.slipLoaded = report.slipLoaded;

@@ -7,6 +7,7 @@
 #include "simcore/base/result.h"
 #include "simcore/experiment/terrain_sets.h"
 #include "simcore/project/project.h"
+#include "simcore/run/simulation.h"
 
 namespace simcore::experiment {
 
@@ -46,6 +47,7 @@ struct Outcome {
     double frictionWork = 0.0;                                 ///< at the contacts [J]
     double energy = 0.0;                                       ///< of the drives [J]
     double peakTorque = 0.0;                                   ///< largest of any wheel [N m]
+    double time = 0.0;                                         ///< simulated [s]
     double endX = 0.0, endY = 0.0;                             ///< chassis origin, world [m]
     std::string stateHash;
 };
@@ -65,6 +67,10 @@ Outcome drive(const project::Project& project, const Plan& plan, const Case& wha
 /// inclination 0.3 deg, rates 0.01 rad/s, acceleration 0.05 m/s^2, tactile force 0.5 N and angle
 /// 2 deg, body speed 5 mm/s).
 project::Sensors sensorsWithNoise(double factor);
+
+/// What a run came to that stands at `end`; its case and the ground's friction are left open.
+Outcome outcomeOf(const run::RunReport& report, const run::Snapshot& end,
+                  const mechanism::Mechanism& mechanism);
 
 /// Outcome of a case that has no run of its own to tell.
 Outcome notRun(const Case& what, std::string why);

@@ -28,6 +28,7 @@ constexpr std::pair<const char*, double Outcome::*> kNumbers[] = {
     {"friction_work_J", &Outcome::frictionWork},
     {"energy_J", &Outcome::energy},
     {"peak_torque_Nm", &Outcome::peakTorque},
+    {"time_s", &Outcome::time},
     {"end_x_m", &Outcome::endX},
     {"end_y_m", &Outcome::endY}};
 
@@ -238,11 +239,39 @@ Json toJson(const Plan& plan, const std::vector<Outcome>& outcomes,
     return json;
 }
 
+Json toJson(const experiment::Outcome& first, const experiment::Outcome& second,
+            const experiment::Verdict& verdict) {
+    const auto side = [&](experiment::Less less) {
+        return less == experiment::Less::Neither ? Json()
+               : less == experiment::Less::First ? Json(project::nameOf(first.ran.controller))
+                                                 : Json(project::nameOf(second.ran.controller));
+    };
+    Json json;
+    json["runs"] = Json::array();
+    for (const Outcome* outcome : {&first, &second}) {
+        Json run = toJson(*outcome);
+        run.erase("mu_static");
+        json["runs"].push_back(run);
+    }
+    json["both_completed"] = verdict.bothCompleted;
+    json["failed"] = side(verdict.failed);
+    json["ends_apart_m"] = verdict.apart;
+    json["same_way"] = verdict.sameWay;
+    const auto measure = [&](const char* name, const experiment::Verdict::Measure& m) {
+        json[name] = {{"less", side(m.less)}, {"ratio", numberOrNull(m.ratio)}};
+    };
+    measure("slip", verdict.slip);
+    measure("slip_loaded", verdict.loadedSlip);
+    measure("friction_work", verdict.work);
+    measure("energy", verdict.energy);
+    return json;
+}
+
 std::string runsTable(const std::vector<Outcome>& outcomes) {
     std::string text =
         "seed,mu [-],controller,completed,stop_reason,mu_static [-],slip_abs [m],slip_loaded "
         "[m],slip_signed [m],"
-        "friction_work [J],energy [J],peak_torque [N m],end_x [m],end_y [m]\n";
+        "friction_work [J],energy [J],peak_torque [N m],time [s],end_x [m],end_y [m]\n";
     for (const Outcome& outcome : outcomes) {
         text += fmt::format("{},{},{},{},{}", outcome.ran.seed, cell(outcome.ran.friction),
                             project::nameOf(outcome.ran.controller), outcome.completed ? 1 : 0,

@@ -8,6 +8,7 @@
 
 #include "simcore/experiment/comparison.h"
 #include "simcore/experiment/experiment.h"
+#include "simcore/experiment/verdict.h"
 
 /// Experiments as text: between processes, in journals and for other programs. docs/experiments.md
 /// defines every key.
@@ -34,6 +35,12 @@ std::optional<experiment::Outcome> parseOutcome(const std::string& line);
 nlohmann::ordered_json toJson(const experiment::Plan& plan,
                               const std::vector<experiment::Outcome>& outcomes,
                               const std::vector<experiment::Comparison>& comparisons);
+
+/// Two runs of one scenario and what came of it. Keys `runs both_completed failed ends_apart_m
+/// same_way`, and `slip slip_loaded friction_work energy` with `less` (a controller, or null) and
+/// `ratio` (second over first).
+nlohmann::ordered_json toJson(const experiment::Outcome& first, const experiment::Outcome& second,
+                              const experiment::Verdict& verdict);
 
 /// Tables for a spreadsheet: one row a run, one row a comparison.
 std::string runsTable(const std::vector<experiment::Outcome>& outcomes);

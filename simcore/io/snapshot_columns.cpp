@@ -25,6 +25,9 @@ void forEachNumber(Snapshot& s, F&& f) {
     f("measured/pitch", s.measured.imu.pitch);
     vector("measured/angular_rate/", s.measured.imu.angularRate);
     vector("measured/acceleration/", s.measured.imu.acceleration);
+    f("intent/common_torque", s.intent.commonTorque);
+    f("intent/required_friction", s.intent.requiredFriction);
+    f("intent/friction_cap", s.intent.frictionCap);
     for (std::size_t i = 0; i < s.bodies.size(); ++i) {
         const std::string name = "body/" + std::to_string(i) + "/";
         vector(name, s.bodies[i].position);
@@ -62,6 +65,12 @@ void forEachNumber(Snapshot& s, F&& f) {
         f(name + "normal_force", s.measured.wheels[i].normalForce);
         f(name + "contact_angle", s.measured.wheels[i].contactAngle);
     }
+    for (std::size_t i = 0; i < s.intent.wheels.size(); ++i) {
+        const std::string name = "intent/wheel/" + std::to_string(i) + "/";
+        f(name + "torque", s.intent.wheels[i].torque);
+        f(name + "normal_force", s.intent.wheels[i].normalForce);
+        f(name + "rate", s.intent.wheels[i].rate);
+    }
     for (std::size_t i = 0; i < s.joints.size(); ++i) {
         const std::string name = "joint/" + std::to_string(i) + "/";
         f(name + "angle", s.joints[i].angle);
@@ -78,6 +87,7 @@ run::Snapshot sized(const SnapshotSize& size) {
     snapshot.wheels.resize(size.wheels);
     snapshot.joints.resize(size.joints);
     snapshot.measured.wheels.resize(size.wheels);
+    snapshot.intent.wheels.resize(size.wheels);
     snapshot.measured.joints.resize(size.joints);
     return snapshot;
 }

@@ -33,6 +33,7 @@ struct ChassisSource {
 struct WheelSource {
     const WheelState& state;
     const control::WheelSensors& measured;
+    const control::Intent::Wheel& intent;
 };
 
 struct JointSource {
@@ -114,6 +115,20 @@ constexpr std::array kChassis{
         "measured_acceleration_z", "Acceleration z (measured)", "a_z", "m/s^2", kMeasured,
         "Acceleration less gravity along the chassis' z axis as last read.",
         [](const ChassisSource& s) { return s.snapshot.measured.imu.acceleration.z(); }},
+    Column<ChassisSource>{"common_torque", "Torque of the speed loop", "M_c", "N*m", kKnown,
+                          "What the loop on the body's speed asks of a wheel with the mean load; "
+                          "missing where the controller has no such loop.",
+                          [](const ChassisSource& s) { return s.snapshot.intent.commonTorque; }},
+    Column<ChassisSource>{
+        "required_friction", "Required friction (planned)", "μ*", "-", kKnown,
+        "Largest ratio of tangential to normal force with the planned torques, by the controller's "
+        "quasi-static model; missing where it has none.",
+        [](const ChassisSource& s) { return s.snapshot.intent.requiredFriction; }},
+    Column<ChassisSource>{
+        "friction_cap", "Friction trusted", "μ_cap", "-", kKnown,
+        "Friction that the controller trusts the ground with: assumed, or learned from slip; "
+        "missing where it sets no such limit.",
+        [](const ChassisSource& s) { return s.snapshot.intent.frictionCap; }},
 };
 
 constexpr std::array kWheel{
@@ -191,6 +206,16 @@ constexpr std::array kWheel{
     Column<WheelSource>{"measured_contact_angle", "Contact angle (measured)", "γ", "rad", kMeasured,
                         "Contact angle of the tactile wheel as last read.",
                         [](const WheelSource& w) { return w.measured.contactAngle; }},
+    Column<WheelSource>{"torque_planned", "Torque (planned)", "τ*", "N*m", kKnown,
+                        "Torque of least required friction by the controller's quasi-static "
+                        "model, before its speed loop and caps.",
+                        [](const WheelSource& w) { return w.intent.torque; }},
+    Column<WheelSource>{"normal_force_planned", "Normal force (planned)", "N*", "N", kKnown,
+                        "Load that those torques make by the same model.",
+                        [](const WheelSource& w) { return w.intent.normalForce; }},
+    Column<WheelSource>{"rate_planned", "Wheel rate (planned)", "ω*", "rad/s", kKnown,
+                        "Rate of the wheel that the controller aims at.",
+                        [](const WheelSource& w) { return w.intent.rate; }},
 };
 
 constexpr std::array kJoint{
@@ -290,10 +315,12 @@ void sampleChannels(const mechanism::Mechanism& mechanism, const Snapshot& snaps
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < mechanism.wheels.size(); ++i) {
         static constexpr control::WheelSensors kUnread{kNone, kNone, kNone};
+        static constexpr control::Intent::Wheel kNoIntent;
         const auto& measured = snapshot.measured.wheels;
+        const auto& intents = snapshot.intent.wheels;
         if (i < snapshot.wheels.size()) {
-            const WheelSource wheel{snapshot.wheels[i],
-                                    i < measured.size() ? measured[i] : kUnread};
+            const WheelSource wheel{snapshot.wheels[i], i < measured.size() ? measured[i] : kUnread,
+                                    i < intents.size() ? intents[i] : kNoIntent};
             append(kWheel, &wheel, row);
         } else {
             append<WheelSource>(kWheel, nullptr, row);

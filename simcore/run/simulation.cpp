@@ -163,6 +163,7 @@ void Simulation::Impl::reset() {
     now = {};
     now.wheels.assign(count, {});
     now.measured = sensors::noReadings(run.mechanism);
+    now.intent.wheels.assign(count, {});
     reason = StopReason::Running;
     detail.clear();
     wheels.assign(count, {});
@@ -200,6 +201,7 @@ void Simulation::Impl::control() {
     ++controlTicks;
     sensors.read(*engine, now, now.measured);
     controller->update(now.measured, driveCommand(), commands);
+    now.intent = controller->intent();
 }
 
 void Simulation::Impl::applyDrives() {

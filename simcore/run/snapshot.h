@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "simcore/base/pose.h"
+#include "simcore/control/controller.h"
 #include "simcore/control/sensors.h"
 
 namespace simcore::run {
@@ -51,6 +52,8 @@ struct Snapshot {
     std::vector<JointState> joints;    ///< Mechanism::encoderJoints()
     /// What the controller read at its last look; NaN before the first.
     control::Sensors measured;
+    /// What the controller made of it; empty before the first look.
+    control::Intent intent;
 };
 
 }  // namespace simcore::run

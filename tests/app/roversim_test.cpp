@@ -77,15 +77,41 @@ std::array<int, 5> numbers(const json& model) {
 }  // namespace
 
 TEST_F(RoversimTest, HelpAndVersionSucceed) {
-    for (const char* arguments : {"--help", "mobility --help", "validate --help", "run --help",
-                                  "convert --help", "replay --help", "export --help",
-                                  "channels --help", "statics --help", "reproduce --help"}) {
+    for (const char* arguments :
+         {"--help", "mobility --help", "validate --help", "run --help", "convert --help",
+          "replay --help", "export --help", "channels --help", "statics --help", "reproduce --help",
+          "experiment --help"}) {
         const Outcome outcome = roversim(arguments);
         EXPECT_EQ(outcome.code, 0) << arguments;
         EXPECT_THAT(outcome.out, HasSubstr("Usage")) << arguments;
         EXPECT_EQ(outcome.err, "") << arguments;
     }
     EXPECT_THAT(roversim("--version").out, HasSubstr("roversim "));
+}
+
+TEST_F(RoversimTest, AnExperimentHoldsTwoControllersAgainstOneAnother) {
+    const std::string what = "experiment " + shipped("solero") +
+                             " --scenario step --engine reduced --height 0.05 --distance 1.2";
+    const Outcome outcome = roversim(what + " --controller hybrid --against speed --json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json answer = json::parse(outcome.out);
+    EXPECT_EQ(answer.at("runs").at(0).at("controller"), "hybrid");
+    EXPECT_EQ(answer.at("runs").at(1).at("controller"), "speed");
+    EXPECT_EQ(answer.at("same_way"), true);
+    EXPECT_EQ(answer.at("slip").at("less"), "hybrid");
+    const double ratio = answer.at("runs").at(1).at("slip_abs_m").get<double>() /
+                         answer.at("runs").at(0).at("slip_abs_m").get<double>();
+    EXPECT_NEAR(answer.at("slip").at("ratio").get<double>(), ratio, 1e-9);
+    EXPECT_THAT(roversim(what + " --controller hybrid --against speed").out,
+                HasSubstr("Slip: less with hybrid"));
+    // Too slippery for either.
+    const Outcome stuck = roversim(what + " --against hybrid --mu 0.1");
+    EXPECT_EQ(stuck.code, 1);
+    EXPECT_THAT(stuck.out, HasSubstr("Neither completes"));
+    EXPECT_EQ(roversim(what).code, 2);
+    EXPECT_EQ(roversim(what + " --against anyhow").code, 2);
+    EXPECT_EQ(roversim("experiment " + shipped("solero") + " --scenario x --against speed").code,
+              1);
 }
 
 TEST_F(RoversimTest, WrongUseIsTwoAndSaysSoOnStderr) {

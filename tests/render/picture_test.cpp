@@ -499,6 +499,35 @@ TEST_F(PictureTest, ScenesCanBeChangedBetweenPictures) {
     EXPECT_EQ(made.rgba, changedScene.rgba);
 }
 
+// A second rover is seen through, hides nothing behind it, and leaves no trace when it goes.
+TEST_F(PictureTest, AGhostIsPaleAndGoesWithoutATrace) {
+    const Image alone = draw(View::Side);
+    auto ghost = std::make_shared<const mechanism::Mechanism>(mechanism);
+    std::vector<Pose> poses(mechanism.bodies.size());
+    for (Pose& pose : poses) {
+        pose.position = Vec3(0.25, 0.0, 0.15);
+    }
+    scene->setGhost(ghost, poses);
+    EXPECT_TRUE(scene->hasGhost());
+    const Image both = draw(View::Side);
+    const std::vector<Pixel> paler = changed(alone, both, 0);
+    EXPECT_GT(paler.size(), allPixels(alone).size() / 100);
+    for (const Pixel p : paler) {
+        // A mixture: nowhere the ghost's own blue alone.
+        EXPECT_LT(colorAt(both, p)[2], 250);
+        EXPECT_GT(colorAt(both, p)[2], 30);
+    }
+    // Where it stands before the sandy ground, that shines through bluer than it was.
+    const auto bluer = std::count_if(paler.begin(), paler.end(), [&](Pixel p) {
+        return colorAt(both, p)[2] - colorAt(both, p)[0] >
+               colorAt(alone, p)[2] - colorAt(alone, p)[0];
+    });
+    EXPECT_GT(bluer, static_cast<std::ptrdiff_t>(paler.size()) * 9 / 10);
+    scene->setGhost(nullptr, {});
+    EXPECT_EQ(draw(View::Side).rgba, alone.rgba);
+    EXPECT_THROW(scene->setGhost(ghost, {}), std::invalid_argument);
+}
+
 // A renderer without a size is a mistake of the programmer.
 TEST_F(PictureTest, PictureWithoutSizeIsRefused) {
     EXPECT_THROW((void)OffscreenRenderer::create(0, 100), std::invalid_argument);

@@ -30,6 +30,7 @@ class FakeStepper final : public Stepper {
         snapshot_.bodies.resize(1);
         snapshot_.wheels.resize(kWheels.size());
         snapshot_.measured.wheels.resize(kWheels.size());
+        snapshot_.intent.wheels.resize(kWheels.size());
         chaos_ = 0.1 + 0.01 * run_.seed;
         hash_ = 14695981039346656037ULL;
         fill();

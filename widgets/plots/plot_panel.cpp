@@ -29,6 +29,7 @@
 #include "simcore/io/csv.h"
 #include "widgets/plots/wheel_plot.h"
 #include "widgets/session/may_replace.h"
+#include "widgets/session/run_titles.h"
 
 namespace widgets {
 
@@ -77,12 +78,14 @@ QString cellText(double value) {
 struct PlotPanel::Impl {
     PlotPanel* panel;
     RunSession* session;
+    RunLibrary* library;
     std::vector<std::string> wheels;
     std::vector<bool> wheelShown;
     std::vector<ShownQuantity> quantities;
     std::vector<QString> chosen;  ///< quantity of every plot
     int count = 2;
-    std::size_t plotted = 0;  ///< rows that the curves have
+    std::vector<const RunSession*> runs;  ///< that have curves; the first is the one on show
+    std::vector<std::size_t> plotted;     ///< rows that the curves of each have
     double from = 0.0, to = 10.0;
     std::optional<double> mouseTime;
 
@@ -92,6 +95,8 @@ struct PlotPanel::Impl {
     QWidget* table = nullptr;
     QGridLayout* grid = nullptr;
     QLabel* cursor = nullptr;
+    QLabel* legend = nullptr;
+    QLabel* roverName = nullptr;
     std::vector<QToolButton*> toggles;
     std::vector<std::array<QLabel*, kMaxPlots>> cells;
     std::array<QLabel*, kMaxPlots> heads{};
@@ -99,13 +104,19 @@ struct PlotPanel::Impl {
     QComboBox* counts = nullptr;
     QTimer replotTimer;
 
-    Impl(PlotPanel* p, RunSession* s) : panel(p), session(s) {}
+    Impl(PlotPanel* p, RunSession* s, RunLibrary* l) : panel(p), session(s), library(l) {}
 
     void build();
     QWidget* makeToolbar();
     QWidget* makePlotColumn(int plot);
     void startRun();
+    void startPlots();
+    std::vector<std::pair<int, QString>> legendEntries() const;
+    void drawLegend(QPainter& painter, QPoint place, const QColor& color) const;
+    void showLegend();
     void buildTable();
+    void buildRoverRow();
+    void showColumns();
     void startPlot(int plot);
     void takeData(bool anew);
     void showWindow();
@@ -158,6 +169,11 @@ void PlotPanel::Impl::build() {
     connect(session, &RunSession::stateChanged, panel, [this] {
         schedule();  // the whole run's window depends on whether it goes on
     });
+    connect(library, &RunLibrary::changed, panel, [this] {
+        startPlots();
+        takeData(true);
+    });
+    connect(library, &RunLibrary::dataChanged, panel, [this] { schedule(); });
     startRun();
     panel->setPlotCount(count);
     colors();
@@ -171,7 +187,12 @@ QWidget* PlotPanel::Impl::makeToolbar() {
     cursor = new QLabel;
     cursor->setAccessibleName(PlotPanel::tr("Time at the cursor"));
     layout->addWidget(cursor);
-    layout->addStretch(1);
+    layout->addSpacing(12);
+    legend = new QLabel;
+    legend->setObjectName("runLegend");
+    legend->setAccessibleName(PlotPanel::tr("Runs and their lines"));
+    legend->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    layout->addWidget(legend, 1);
     counts = new QComboBox;
     counts->setObjectName("plotCount");
     counts->setAccessibleName(PlotPanel::tr("Number of plots"));
@@ -219,6 +240,9 @@ QWidget* PlotPanel::Impl::makePlotColumn(int index) {
     chooser->setObjectName(QString("quantity:%1").arg(index));
     chooser->setAccessibleName(PlotPanel::tr("Quantity of plot %1").arg(index + 1));
     for (const ShownQuantity& q : quantities) {
+        if (q.ofChassis && chooser->count() > 0 && !std::prev(&q)->ofChassis) {
+            chooser->insertSeparator(chooser->count());
+        }
         chooser->addItem(
             q.unit == "-" ? q.label : QString("%1 [%2]").arg(q.label, prettyUnit(q.unit)),
             q.quantity);
@@ -255,8 +279,12 @@ QWidget* PlotPanel::Impl::makePlotColumn(int index) {
 }
 
 double PlotPanel::Impl::end() const {
-    const auto& rows = session->recording().rows;
-    return rows.empty() ? 0.0 : rows.back()[0];
+    double last = 0.0;
+    for (const RunSession* run : runs) {
+        const auto& rows = run->recording().rows;
+        last = rows.empty() ? last : std::max(last, rows.back()[0]);
+    }
+    return last;
 }
 
 void PlotPanel::Impl::startRun() {
@@ -271,13 +299,86 @@ void PlotPanel::Impl::startRun() {
         wheelShown.assign(wheels.size(), true);
         buildTable();
     }
-    for (int i = 0; i < kMaxPlots; ++i) {
-        startPlot(i);
-    }
+    startPlots();
     if (follow->currentData().toDouble() == kFree) {
         follow->setCurrentIndex(0);
     }
     takeData(true);
+}
+
+void PlotPanel::Impl::startPlots() {
+    runs = {session};
+    for (const HeldRun& held : library->runs()) {
+        if (held.curves) {
+            runs.push_back(held.session.get());
+        }
+    }
+    plotted.assign(runs.size(), 0);
+    for (int i = 0; i < kMaxPlots; ++i) {
+        startPlot(i);
+    }
+    showLegend();
+}
+
+/// Runs with curves and what tells their lines apart.
+std::vector<std::pair<int, QString>> PlotPanel::Impl::legendEntries() const {
+    std::vector<int> styles;
+    std::vector<const simcore::run::ResolvedRun*> plottedRuns;
+    const auto add = [&](int style, const RunSession& run) {
+        styles.push_back(style);
+        plottedRuns.push_back(&run.settings());
+    };
+    if (session->hasRun()) {
+        add(0, *session);
+    }
+    for (const HeldRun& held : library->runs()) {
+        if (held.curves) {
+            add(held.style, *held.session);
+        }
+    }
+    const QStringList titles = shortTitles(plottedRuns);
+    std::vector<std::pair<int, QString>> entries;
+    for (std::size_t i = 0; i < styles.size(); ++i) {
+        entries.emplace_back(styles[i], titles[static_cast<int>(i)]);
+    }
+    return entries;
+}
+
+/// Draws the entries in a row from `place` (left end, base line) on.
+void PlotPanel::Impl::drawLegend(QPainter& painter, QPoint place, const QColor& color) const {
+    constexpr int kSample = 36;
+    constexpr int kGap = 18;
+    const QFontMetrics metrics = painter.fontMetrics();
+    painter.setPen(color);
+    int x = place.x();
+    for (const auto& [style, name] : legendEntries()) {
+        painter.drawPixmap(x, place.y() - metrics.ascent() / 2 - 4, lineSample(style, color));
+        painter.drawText(x + kSample, place.y(), name);
+        x += kSample + metrics.horizontalAdvance(name) + kGap;
+    }
+}
+
+void PlotPanel::Impl::showLegend() {
+    QStringList names;
+    QPixmap picture;
+    if (runs.size() > 1) {
+        for (const auto& [style, name] : legendEntries()) {
+            names << name;
+        }
+        // A picture, for a label's text cannot hold lines of all styles.
+        constexpr double kScale = 2.0;
+        constexpr int kWidest = 1600;
+        const QFontMetrics metrics = legend->fontMetrics();
+        picture = QPixmap(QSize(kWidest, metrics.height() + 2) * kScale);
+        picture.setDevicePixelRatio(kScale);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        painter.setFont(legend->font());
+        drawLegend(painter, QPoint(0, metrics.ascent() + 1),
+                   panel->palette().color(QPalette::Text));
+    }
+    legend->setPixmap(picture);
+    legend->setToolTip(names.join('\n'));
 }
 
 void PlotPanel::Impl::startPlot(int index) {
@@ -288,7 +389,13 @@ void PlotPanel::Impl::startPlot(int index) {
         found = quantities.begin();
     }
     choosers.at(at)->setCurrentIndex(choosers.at(at)->findData(found->quantity));
-    plots.at(at)->start(*found, session->recording().channels, wheels);
+    std::vector<PlottedRun> plottedRuns{{&session->recording().channels, 0}};
+    for (const HeldRun& held : library->runs()) {
+        if (held.curves) {
+            plottedRuns.push_back({&held.session->recording().channels, held.style});
+        }
+    }
+    plots.at(at)->start(*found, wheels, plottedRuns);
     for (std::size_t wheel = 0; wheel < wheels.size(); ++wheel) {
         plots.at(at)->setWheelShown(static_cast<int>(wheel), wheelShown[wheel]);
     }
@@ -342,30 +449,60 @@ void PlotPanel::Impl::buildTable() {
             grid->addWidget(row.at(i), static_cast<int>(wheel) + 1, static_cast<int>(i) + 1);
         }
     }
-    grid->setRowStretch(static_cast<int>(wheels.size()) + 1, 1);
+    buildRoverRow();
+    grid->setRowStretch(static_cast<int>(wheels.size()) + 2, 1);
     table->setVisible(!wheels.empty());
+    showColumns();
+}
+
+/// Values of the chassis, below those of the wheels.
+void PlotPanel::Impl::buildRoverRow() {
+    const int line = static_cast<int>(wheels.size()) + 1;
+    roverName = new QLabel(PlotPanel::tr("rover"));
+    roverName->setIndent(20);
+    grid->addWidget(roverName, line, 0);
+    auto& row = cells.emplace_back();
+    for (std::size_t i = 0; i < kMaxPlots; ++i) {
+        row.at(i) = new QLabel;
+        row.at(i)->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        row.at(i)->setAccessibleName(PlotPanel::tr("Rover, plot %1").arg(i + 1));
+        grid->addWidget(row.at(i), line, static_cast<int>(i) + 1);
+    }
+}
+
+/// Of the plots that there are.
+void PlotPanel::Impl::showColumns() {
+    bool chassis = false;
     for (int i = 0; i < kMaxPlots; ++i) {
+        const auto at = static_cast<std::size_t>(i);
         const bool shown = i < count;
-        heads.at(static_cast<std::size_t>(i))->setVisible(shown);
+        columns.at(at)->setVisible(shown);
+        heads.at(at)->setVisible(shown);
         for (auto& row : cells) {
-            row.at(static_cast<std::size_t>(i))->setVisible(shown);
+            row.at(at)->setVisible(shown);
         }
+        chassis = chassis || (shown && plots.at(at)->quantity().ofChassis);
+    }
+    roverName->setVisible(chassis);
+    for (QLabel* cell : cells.back()) {
+        cell->setVisible(chassis && cell->isVisibleTo(table));
     }
 }
 
 void PlotPanel::Impl::takeData(bool anew) {
-    const auto& recording = session->recording();
-    if (anew) {
-        plotted = 0;
-    }
-    for (int i = 0; i < count; ++i) {
-        WheelPlot& plot = *plots.at(static_cast<std::size_t>(i));
-        if (anew) {
-            plot.clearData();
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+        const auto& recording = runs[run]->recording();
+        // Fewer than there were: it began anew, or was thinned.
+        const bool again = anew || recording.rows.size() < plotted[run];
+        for (int i = 0; i < count; ++i) {
+            WheelPlot& plot = *plots.at(static_cast<std::size_t>(i));
+            if (again) {
+                plot.clearData(run);
+            }
+            plot.append(run, recording, again ? 0 : plotted[run]);
         }
-        plot.append(recording, plotted);
+        plotted[run] = recording.rows.size();
     }
-    plotted = recording.rows.size();
     updateHints();
     if (anew) {
         followTime();
@@ -441,12 +578,16 @@ void PlotPanel::Impl::updateCells() {
                   static_cast<std::size_t>(std::distance(recording.rows.begin(), after)),
                   recording.rows.size() - 1)
             : 0;
-    for (std::size_t wheel = 0; wheel < cells.size(); ++wheel) {
+    for (std::size_t line = 0; line < cells.size(); ++line) {
+        const bool ofChassis = line == wheels.size();
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
             const ShownQuantity& q = plots.at(i)->quantity();
-            const int channel = simcore::run::findChannel(recording.channels,
-                                                          q.quantity.toStdString(), wheels[wheel]);
-            cells[wheel].at(i)->setText(
+            const int channel =
+                q.ofChassis == ofChassis
+                    ? simcore::run::findChannel(recording.channels, q.quantity.toStdString(),
+                                                ofChassis ? "chassis" : wheels[line])
+                    : -1;
+            cells[line].at(i)->setText(
                 any && channel >= 0
                     ? cellText(recording.rows[row][static_cast<std::size_t>(channel)] * q.factor)
                     : QString());
@@ -477,6 +618,7 @@ bool PlotPanel::Impl::onMouse(int plot, QMouseEvent* event, bool clicked) {
 }
 
 void PlotPanel::Impl::colors() {
+    showLegend();
     for (auto& plot : plots) {
         plot->applyColors(panel->palette());
     }
@@ -504,12 +646,18 @@ void PlotPanel::Impl::paintPicture(QPainter& painter, const QSize& size) {
         painter.drawText(x + 14, 17, name);
         x += 14 + painter.fontMetrics().horizontalAdvance(name) + 16;
     }
+    int top = head;
+    if (runs.size() > 1) {
+        drawLegend(painter, QPoint(8, top + 17), Qt::black);
+        top += head;
+    }
     const int width = size.width() / count;
     for (int i = 0; i < count; ++i) {
         WheelPlot& plot = *plots.at(static_cast<std::size_t>(i));
-        painter.drawText(QRect(i * width, head, width, head), Qt::AlignCenter,
+        painter.setPen(Qt::black);
+        painter.drawText(QRect(i * width, top, width, head), Qt::AlignCenter,
                          plot.quantity().label);
-        plot.paint(painter, QRect(i * width, 2 * head, width, size.height() - 2 * head));
+        plot.paint(painter, QRect(i * width, top + head, width, size.height() - top - head));
     }
 }
 
@@ -529,9 +677,9 @@ void PlotPanel::Impl::complain(const Problems& problems, const QString& what) {
     QMessageBox::warning(panel, what, QString::fromStdString(toString(problems)));
 }
 
-PlotPanel::PlotPanel(RunSession* session, QWidget* parent)
+PlotPanel::PlotPanel(RunSession* session, RunLibrary* library, QWidget* parent)
     : QWidget(parent),
-      impl_(std::make_unique<Impl>(this, session)) {
+      impl_(std::make_unique<Impl>(this, session, library)) {
     impl_->build();
 }
 
@@ -541,15 +689,7 @@ void PlotPanel::setPlotCount(int count) {
     Impl& self = *impl_;
     self.count = std::clamp(count, 1, kMaxPlots);
     self.counts->setCurrentIndex(self.counts->findData(self.count));
-    for (int i = 0; i < kMaxPlots; ++i) {
-        const bool shown = i < self.count;
-        const auto at = static_cast<std::size_t>(i);
-        self.columns.at(at)->setVisible(shown);
-        self.heads.at(at)->setVisible(shown);
-        for (auto& row : self.cells) {
-            row.at(at)->setVisible(shown);
-        }
-    }
+    self.showColumns();
     self.saveChoice();
     self.takeData(true);
 }
@@ -561,6 +701,7 @@ int PlotPanel::plotCount() const {
 void PlotPanel::setQuantity(int plot, const QString& quantity) {
     impl_->chosen.at(static_cast<std::size_t>(plot)) = quantity;
     impl_->startPlot(plot);
+    impl_->showColumns();
     impl_->saveChoice();
     impl_->takeData(true);
 }

@@ -3,17 +3,20 @@
 #include <QWidget>
 #include <memory>
 
+#include "widgets/session/run_library.h"
 #include "widgets/session/run_session.h"
 
 namespace widgets {
 
 /// Curves of the run over time, one per wheel, side by side: slip, torque, normal force, contact
-/// angle, speed. One cursor, one time window and one set of visible wheels for all plots; a table
-/// holds the values at the cursor. A click in a plot scrubs the run to that time.
+/// angle, speed; or one of the chassis. One cursor, one time window and one set of visible wheels
+/// for all plots; a table holds the values at the cursor. A click in a plot scrubs the run to that
+/// time.
 class PlotPanel : public QWidget {
     Q_OBJECT
   public:
-    explicit PlotPanel(RunSession* session, QWidget* parent = nullptr);
+    /// The curves of the runs that `library` holds are drawn beside those of `session`.
+    PlotPanel(RunSession* session, RunLibrary* library, QWidget* parent = nullptr);
     ~PlotPanel() override;
 
     /// Number of plots shown, 1 to 4.

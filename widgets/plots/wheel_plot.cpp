@@ -1,7 +1,9 @@
 #include "widgets/plots/wheel_plot.h"
 
 #include <qcustomplot.h>
+#include <QPainter>
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "render/palette.h"
@@ -20,10 +22,31 @@ QString prettyUnit(const QString& unit) {
     return QString(unit).replace('*', QChar(0x00B7));
 }
 
-std::vector<ShownQuantity> quantitiesIn(const std::vector<simcore::run::Channel>& channels) {
-    std::vector<ShownQuantity> quantities;
+Qt::PenStyle lineStyle(int style) {
+    constexpr std::array kStyles{Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine,
+                                 Qt::DashDotDotLine};
+    return kStyles.at(static_cast<std::size_t>(style) % kStyles.size());
+}
+
+QPixmap lineSample(int style, const QColor& color) {
+    constexpr int kWidth = 30;
+    constexpr int kHeight = 12;
+    constexpr double kScale = 2.0;
+    QPixmap pixmap(QSize(kWidth, kHeight) * kScale);
+    pixmap.setDevicePixelRatio(kScale);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setPen(QPen(color, 1.5, lineStyle(style)));
+    painter.drawLine(QPointF(0.0, 0.5 * kHeight), QPointF(kWidth, 0.5 * kHeight));
+    return pixmap;
+}
+
+namespace {
+
+void addQuantities(const std::vector<simcore::run::Channel>& channels,
+                   simcore::run::ChannelGroup group, std::vector<ShownQuantity>& quantities) {
     for (const simcore::run::Channel& channel : channels) {
-        if (channel.group != simcore::run::ChannelGroup::Wheel) {
+        if (channel.group != group) {
             continue;
         }
         const QString name = QString::fromStdString(channel.quantity);
@@ -33,13 +56,22 @@ std::vector<ShownQuantity> quantitiesIn(const std::vector<simcore::run::Channel>
             continue;
         }
         ShownQuantity shown{name, QString::fromStdString(channel.label),
-                            QString::fromStdString(channel.unit), 1.0};
+                            QString::fromStdString(channel.unit), 1.0,
+                            group == simcore::run::ChannelGroup::Chassis};
         if (shown.unit == "rad") {
             shown.unit = "deg";
             shown.factor = 180.0 / std::numbers::pi;
         }
         quantities.push_back(shown);
     }
+}
+
+}  // namespace
+
+std::vector<ShownQuantity> quantitiesIn(const std::vector<simcore::run::Channel>& channels) {
+    std::vector<ShownQuantity> quantities;
+    addQuantities(channels, simcore::run::ChannelGroup::Wheel, quantities);
+    addQuantities(channels, simcore::run::ChannelGroup::Chassis, quantities);
     return quantities;
 }
 
@@ -73,28 +105,34 @@ WheelPlot::WheelPlot(QWidget* parent)
     setWindow(0.0, 10.0);
 }
 
-void WheelPlot::start(const ShownQuantity& quantity,
-                      const std::vector<simcore::run::Channel>& channels,
-                      const std::vector<std::string>& wheels) {
+void WheelPlot::start(const ShownQuantity& quantity, const std::vector<std::string>& wheels,
+                      const std::vector<PlottedRun>& runs) {
     quantity_ = quantity;
     plot_->clearGraphs();
     columns_.clear();
-    for (std::size_t i = 0; i < wheels.size(); ++i) {
-        columns_.push_back(
-            simcore::run::findChannel(channels, quantity.quantity.toStdString(), wheels[i]));
-        QCPGraph* graph = plot_->addGraph();
-        // One pixel: wider antialiased lines are drawn many times slower.
-        graph->setPen(QPen(colorOf(static_cast<int>(i)), 1.0));
-        graph->setName(QString::fromStdString(wheels[i]));
-        graph->setAdaptiveSampling(true);
+    const std::vector<std::string> objects =
+        quantity.ofChassis ? std::vector<std::string>{"chassis"} : wheels;
+    objects_ = objects.size();
+    for (const PlottedRun& run : runs) {
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            columns_.push_back(simcore::run::findChannel(
+                *run.channels, quantity.quantity.toStdString(), objects[i]));
+            QCPGraph* graph = plot_->addGraph();
+            // One pixel: wider antialiased lines are drawn many times slower.
+            graph->setPen(QPen(quantity.ofChassis ? text_ : colorOf(static_cast<int>(i)), 1.0,
+                               lineStyle(run.style)));
+            graph->setName(QString::fromStdString(objects[i]));
+            graph->setAdaptiveSampling(true);
+        }
     }
     plot_->yAxis->setLabel(quantity.unit == "-" ? QString() : prettyUnit(quantity.unit));
     plot_->setAccessibleName(QObject::tr("%1 over time").arg(quantity.label));
 }
 
-void WheelPlot::append(const simcore::run::Recording& recording, std::size_t first) {
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-        if (columns_[i] < 0) {
+void WheelPlot::append(std::size_t run, const simcore::run::Recording& recording,
+                       std::size_t first) {
+    for (std::size_t i = run * objects_; i < (run + 1) * objects_; ++i) {
+        if (columns_.at(i) < 0) {
             continue;
         }
         const auto column = static_cast<std::size_t>(columns_[i]);
@@ -106,15 +144,18 @@ void WheelPlot::append(const simcore::run::Recording& recording, std::size_t fir
     }
 }
 
-void WheelPlot::clearData() {
-    for (int i = 0; i < plot_->graphCount(); ++i) {
-        plot_->graph(i)->data()->clear();
+void WheelPlot::clearData(std::size_t run) {
+    for (std::size_t i = run * objects_; i < (run + 1) * objects_; ++i) {
+        plot_->graph(static_cast<int>(i))->data()->clear();
     }
 }
 
 void WheelPlot::setWheelShown(int wheel, bool shown) {
-    if (wheel < plot_->graphCount()) {
-        plot_->graph(wheel)->setVisible(shown);
+    if (quantity_.ofChassis) {
+        return;
+    }
+    for (int i = wheel; i < plot_->graphCount(); i += static_cast<int>(objects_)) {
+        plot_->graph(i)->setVisible(shown);
     }
 }
 
@@ -173,6 +214,7 @@ void WheelPlot::applyColors(const QPalette& palette) {
     grid_ = text_;
     grid_.setAlphaF(0.14F);
     setColors(text_, background_, grid_);
+    colorChassisCurves(text_);
     shown_->setPen(QPen(palette.color(QPalette::Highlight), 1.0));
     QColor mouse = palette.color(QPalette::Text);
     mouse.setAlphaF(0.6F);
@@ -195,6 +237,14 @@ void WheelPlot::setColors(const QColor& text, const QColor& background, const QC
     }
 }
 
+void WheelPlot::colorChassisCurves(const QColor& color) {
+    for (int i = 0; quantity_.ofChassis && i < plot_->graphCount(); ++i) {
+        QPen pen = plot_->graph(i)->pen();
+        pen.setColor(color);
+        plot_->graph(i)->setPen(pen);
+    }
+}
+
 void WheelPlot::replot() {
     plot_->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -203,6 +253,7 @@ void WheelPlot::paint(QPainter& painter, const QRect& place) {
     const bool marks = shown_->visible();
     const bool mouse = mouse_->visible();
     setColors(Qt::black, Qt::white, QColor(0, 0, 0, 36));
+    colorChassisCurves(Qt::black);
     shown_->setVisible(false);
     mouse_->setVisible(false);
     // Two steps, for QCustomPlot paints from the origin in whatever device it is given.
@@ -214,6 +265,7 @@ void WheelPlot::paint(QPainter& painter, const QRect& place) {
     shown_->setVisible(marks);
     mouse_->setVisible(mouse);
     setColors(text_, background_, grid_);
+    colorChassisCurves(text_);
 }
 
 std::optional<double> WheelPlot::timeAt(double x, double y) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QPixmap>
 #include <QString>
 #include <optional>
 #include <vector>
@@ -19,19 +20,34 @@ namespace widgets {
 
 /// How a channel is shown: its name and its unit on the screen.
 struct ShownQuantity {
-    QString quantity;     ///< as channels name it
-    QString label;        ///< "Torque (applied)"
-    QString unit;         ///< on screen: "deg" where the channel has "rad"
-    double factor = 1.0;  ///< from the channel's unit to the one on screen
+    QString quantity;        ///< as channels name it
+    QString label;           ///< "Torque (applied)"
+    QString unit;            ///< on screen: "deg" where the channel has "rad"
+    double factor = 1.0;     ///< from the channel's unit to the one on screen
+    bool ofChassis = false;  ///< one curve, not one a wheel
 };
 
 /// "N*m" as people write it on paper: with a middle dot.
 QString prettyUnit(const QString& unit);
 
-/// The wheel quantities that the channels of a run offer, once each.
+/// The quantities of wheels, then those of the chassis, that the channels of a run offer, once
+/// each.
 std::vector<ShownQuantity> quantitiesIn(const std::vector<simcore::run::Channel>& channels);
 
-/// One plot of one quantity, a curve for every wheel. Wraps the plotting library.
+/// Line style of a run's curves: 0 is the run on show.
+Qt::PenStyle lineStyle(int style);
+
+/// A piece of such a line, for legends.
+QPixmap lineSample(int style, const QColor& color);
+
+/// A run whose curves a plot has.
+struct PlottedRun {
+    const std::vector<simcore::run::Channel>* channels = nullptr;
+    int style = 0;
+};
+
+/// One plot of one quantity, for every run a curve for every wheel, or one for the chassis. Wraps
+/// the plotting library.
 class WheelPlot {
   public:
     explicit WheelPlot(QWidget* parent);
@@ -41,11 +57,11 @@ class WheelPlot {
     const ShownQuantity& quantity() const { return quantity_; }
 
     /// Makes the curves of `wheels` for this quantity, without data.
-    void start(const ShownQuantity& quantity, const std::vector<simcore::run::Channel>& channels,
-               const std::vector<std::string>& wheels);
-    /// Appends rows from `first` on.
-    void append(const simcore::run::Recording& recording, std::size_t first);
-    void clearData();
+    void start(const ShownQuantity& quantity, const std::vector<std::string>& wheels,
+               const std::vector<PlottedRun>& runs);
+    /// Appends rows of a run from `first` on.
+    void append(std::size_t run, const simcore::run::Recording& recording, std::size_t first);
+    void clearData(std::size_t run);
     void setWheelShown(int wheel, bool shown);
     /// Shows this time window; the value axis fits the curves in it.
     void setWindow(double from, double to);
@@ -61,6 +77,7 @@ class WheelPlot {
     std::optional<double> timeAt(double x, double y) const;
 
   private:
+    void colorChassisCurves(const QColor& color);
     void setColors(const QColor& text, const QColor& background, const QColor& grid);
 
     QCustomPlot* plot_;
@@ -68,7 +85,8 @@ class WheelPlot {
     QCPItemStraightLine* mouse_;
     QCPItemText* hint_;
     ShownQuantity quantity_;
-    std::vector<int> columns_;  ///< channel of every wheel's curve
+    std::size_t objects_ = 0;   ///< curves a run
+    std::vector<int> columns_;  ///< channel of every curve, run by run
     QColor text_, background_, grid_;
 };
 

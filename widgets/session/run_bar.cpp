@@ -18,6 +18,7 @@
 
 #include "simcore/project/names.h"
 #include "widgets/session/run_icons.h"
+#include "widgets/session/run_titles.h"
 #include "widgets/session/timeline_slider.h"
 
 namespace widgets {
@@ -30,30 +31,6 @@ using simcore::run::StopReason;
 namespace {
 
 constexpr std::array kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 0.0};  // 0 = as fast as it goes
-
-QString controllerTitle(ControllerKind kind) {
-    switch (kind) {
-        case ControllerKind::Speed:
-            return RunBar::tr("Speed control");
-        case ControllerKind::Synchronised:
-            return RunBar::tr("Synchronised speeds");
-        case ControllerKind::CommonIntegral:
-            return RunBar::tr("Common integral");
-        case ControllerKind::EqualTorque:
-            return RunBar::tr("Equal torque");
-        case ControllerKind::Torque:
-            return RunBar::tr("Torque control");
-        case ControllerKind::Hybrid:
-            return RunBar::tr("Hybrid");
-        case ControllerKind::Manual:
-            break;
-    }
-    return RunBar::tr("Manual (W A S D)");
-}
-
-QString engineTitle(EngineKind kind) {
-    return kind == EngineKind::Ode ? RunBar::tr("ODE") : RunBar::tr("Reduced");
-}
 
 QString outcome(const RunReport& report) {
     const QString numbers = RunBar::tr("%1 m driven, slip %2 m, %3 J")
@@ -328,6 +305,10 @@ void RunBar::showScenario() {
     friction_->setValue(scenarioFriction());
 }
 
+ControllerKind RunBar::controller() const {
+    return static_cast<ControllerKind>(controller_->currentData().toInt());
+}
+
 simcore::run::RunRequest RunBar::request() const {
     simcore::run::RunRequest request;
     request.scenario = scenario_->currentText().toStdString();
@@ -335,7 +316,7 @@ simcore::run::RunRequest RunBar::request() const {
     if (scenario == nullptr) {
         return request;
     }
-    const auto kind = static_cast<ControllerKind>(controller_->currentData().toInt());
+    const ControllerKind kind = controller();
     if (kind != scenario->controller.kind) {
         request.controller = kind;
     }
@@ -365,6 +346,14 @@ void RunBar::setScenario(const QString& name) {
     if (at >= 0 && at != scenario_->currentIndex()) {
         scenario_->setCurrentIndex(at);
         showScenario();
+        emit requestChanged();
+    }
+}
+
+void RunBar::setController(ControllerKind kind) {
+    const int at = controller_->findData(static_cast<int>(kind));
+    if (at != controller_->currentIndex()) {
+        controller_->setCurrentIndex(at);
         emit requestChanged();
     }
 }

@@ -36,9 +36,12 @@ class RunBar : public QWidget {
     /// Scenario, controller, engine and friction as chosen (empty where it is the scenario's own).
     simcore::run::RunRequest request() const;
     QString scenario() const;
+    /// The chosen one, whether or not it is the scenario's own.
+    simcore::project::ControllerKind controller() const;
     /// The project's first scenario with its own settings: for a project just opened.
     void chooseFirst();
     void setScenario(const QString& name);
+    void setController(simcore::project::ControllerKind kind);
     /// Next faster (+1) or slower (-1) entry of the speed list.
     void changeSpeed(int direction);
     /// A line about the run, until the next state: why it cannot start, that keys drive, ...

@@ -215,13 +215,35 @@ void RunSession::scrub(double time) {
         return;
     }
     pause();
+    const auto near = nearest(time);
+    if (near == live_) {
+        goLive();
+    } else {
+        show(near);
+    }
+}
+
+std::shared_ptr<const simcore::run::Snapshot> RunSession::nearest(double time) const {
     const auto frame = store_.frameNear(time);
     // The newest instant is usually a little younger than the last frame.
-    if (!frame || std::abs(live_->time - time) <= std::abs(frame->time - time)) {
-        goLive();
-        return;
-    }
-    show(frame);
+    const bool isNewest =
+        live_ && (!frame || std::abs(live_->time - time) <= std::abs(frame->time - time));
+    return isNewest ? live_ : frame;
+}
+
+const simcore::run::Snapshot* RunSession::instantNear(double time) const {
+    return nearest(time).get();
+}
+
+RecordedRun RunSession::freeze() const {
+    RecordedRun run;
+    run.settings = settings();
+    run.report = report();
+    run.complete = state_ == State::Finished;
+    run.origin = origin_;
+    run.store = store_;
+    run.last = live_;
+    return run;
 }
 
 void RunSession::scrubFrames(int count) {

@@ -95,6 +95,16 @@ class RunSession : public QObject {
 
     const simcore::io::RecordingOrigin& origin() const { return origin_; }
 
+    /// The run so far, as one to be looked at only; its project stays empty. Call only when
+    /// hasRun().
+    RecordedRun freeze() const;
+
+    /// The newest instant; null when Empty.
+    const simcore::run::Snapshot* newest() const { return live_.get(); }
+
+    /// The recorded or newest instant nearest to `time` [s]; null when Empty.
+    const simcore::run::Snapshot* instantNear(double time) const;
+
     /// The run so far, for saving. A problem when there is none, or its recording failed.
     simcore::Result<simcore::io::RunCopy> copyRun() const;
 
@@ -121,6 +131,7 @@ class RunSession : public QObject {
     void poll();
     void setState(State state);
     void show(std::shared_ptr<const simcore::run::Snapshot> frame);
+    std::shared_ptr<const simcore::run::Snapshot> nearest(double time) const;
     void adopt(std::unique_ptr<simcore::run::RunWorker> worker, simcore::io::RunRecorder* recorder,
                simcore::io::RecordingOrigin origin);
 

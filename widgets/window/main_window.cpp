@@ -24,13 +24,16 @@
 #include "widgets/editors/parameter_panel.h"
 #include "widgets/editors/parts_tree.h"
 #include "widgets/editors/property_panel.h"
+#include "widgets/panels/compare_panel.h"
 #include "widgets/panels/mass_panel.h"
 #include "widgets/panels/mobility_panel.h"
 #include "widgets/panels/problems_panel.h"
 #include "widgets/panels/statics_panel.h"
 #include "widgets/plots/plot_panel.h"
+#include "widgets/session/experiment.h"
 #include "widgets/session/manual_drive.h"
 #include "widgets/session/run_bar.h"
+#include "widgets/session/run_library.h"
 #include "widgets/session/statics_session.h"
 #include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
@@ -71,6 +74,8 @@ render::Overlays firstOverlays() {
 MainWindow::MainWindow()
     : document_(new Document(this)),
       session_(new RunSession(this)),
+      library_(new RunLibrary(this)),
+      experiment_(new Experiment(session_, library_, this)),
       statics_(new StaticsSession(this)),
       scene_(std::make_shared<render::Scene>()),
       actions_(new ActionRegistry(this)),
@@ -83,7 +88,7 @@ MainWindow::MainWindow()
     QWidget* view = makeViewport(scene_, this);
     viewport_ = qobject_cast<Viewport*>(view);
     setCentralWidget(view);
-    link_ = new SceneLink(document_, session_, scene_, viewport_, this);
+    link_ = new SceneLink(document_, session_, library_, scene_, viewport_, this);
     makeActions();
     makeDocks();
     makeMenus();
@@ -126,13 +131,16 @@ void MainWindow::makeDocks() {
     mobilityDock_ = add(Qt::RightDockWidgetArea, tr("Mobility"), "mobilityDock", mobility_);
     staticsDock_ =
         add(Qt::RightDockWidgetArea, tr("Statics"), "staticsDock", new StaticsPanel(statics_));
+    compare_ = new ComparePanel(session_, library_, experiment_);
+    QDockWidget* compare = add(Qt::RightDockWidgetArea, tr("Compare"), "compareDock", compare_);
     QDockWidget* mass = add(Qt::RightDockWidgetArea, tr("Mass"), "massDock", mass_);
     problemsDock_ = add(Qt::RightDockWidgetArea, tr("Problems"), "problemsDock", problems_);
     tabifyDockWidget(mobilityDock_, staticsDock_);
-    tabifyDockWidget(staticsDock_, mass);
+    tabifyDockWidget(staticsDock_, compare);
+    tabifyDockWidget(compare, mass);
     tabifyDockWidget(mass, problemsDock_);
     mobilityDock_->raise();
-    for (QDockWidget* dock : {mobilityDock_, staticsDock_, mass, problemsDock_}) {
+    for (QDockWidget* dock : {mobilityDock_, staticsDock_, compare, mass, problemsDock_}) {
         // The tab says what the title would, and a panel's height is dear.
         dock->setTitleBarWidget(new QWidget(dock));
     }
@@ -140,7 +148,7 @@ void MainWindow::makeDocks() {
     auto* run = new QWidget;
     runBar_ = new RunBar(session_,
                          {actions_->at("playPause"), actions_->at("step"), actions_->at("reset")});
-    plots_ = new PlotPanel(session_);
+    plots_ = new PlotPanel(session_, library_);
     auto* layout = new QVBoxLayout(run);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -157,7 +165,8 @@ void MainWindow::makeDocks() {
         centralWidget()->addAction(action);
     }
     panelMenu_ = new QMenu(tr("&Panels"), this);
-    for (QDockWidget* dock : {rover, mobilityDock_, staticsDock_, mass, problemsDock_, runDock}) {
+    for (QDockWidget* dock :
+         {rover, mobilityDock_, staticsDock_, compare, mass, problemsDock_, runDock}) {
         panelMenu_->addAction(dock->toggleViewAction());
     }
 }
@@ -283,14 +292,22 @@ void MainWindow::connectParts() {
             session_->setStale(true);
         }
         link_->showDesign();
+        updateController();
         updateStatics();
     });
+    connect(compare_, &ComparePanel::startRequested, this, &MainWindow::runExperiment);
+    connect(compare_, &ComparePanel::keepRequested, this,
+            [this] { library_->keep(*session_, document_->project()); });
+    connect(document_, &Document::changed, library_,
+            [this] { library_->setProject(document_->project()); });
+    connect(document_, &Document::replaced, library_, &RunLibrary::clear);
     connect(staticsDock_, &QDockWidget::visibilityChanged, statics_, &StaticsSession::setActive);
     connect(statics_, &StaticsSession::shownChanged, this, &MainWindow::showStatics);
     const auto updateForRun = [this] {
         const bool recorded = session_->recorded() != nullptr;
         actions_->at("saveRecording")->setEnabled(session_->hasRun() && !recorded);
         actions_->at("runAgain")->setEnabled(recorded);
+        actions_->at("keepRun")->setEnabled(session_->hasRun());
         updateTitle();
     };
     connect(session_, &RunSession::runChanged, this, updateForRun);
@@ -329,8 +346,13 @@ void MainWindow::onProjectChanged() {
     } else if (session_->hasRun()) {
         session_->setStale(true);
     }
+    updateController();
     updateStatics();
     updateStatus();
+}
+
+void MainWindow::updateController() {
+    compare_->setController(runBar_->controller());
 }
 
 void MainWindow::updateStatics() {
@@ -472,8 +494,11 @@ bool MainWindow::prepareRun() {
     files_->autosave();
     simcore::run::RunRequest request = runBar_->request();
     request.files = document_->files();
-    const auto problems =
-        session_->prepare(document_->project(), request, document_->file().toStdString());
+    return showRunProblems(
+        session_->prepare(document_->project(), request, document_->file().toStdString()));
+}
+
+bool MainWindow::showRunProblems(const simcore::Problems& problems) {
     if (simcore::hasCritical(problems)) {
         problems_->showMore(problems);
         problemsDock_->show();
@@ -482,6 +507,14 @@ bool MainWindow::prepareRun() {
         return false;
     }
     return true;
+}
+
+bool MainWindow::runExperiment() {
+    files_->autosave();
+    simcore::run::RunRequest request = runBar_->request();
+    request.files = document_->files();
+    return showRunProblems(experiment_->start(document_->project(), request, compare_->rival(),
+                                              document_->file().toStdString()));
 }
 
 bool MainWindow::playPause() {

@@ -18,6 +18,8 @@ class QToolButton;
 namespace widgets {
 
 class ActionRegistry;
+class ComparePanel;
+class Experiment;
 class FileCommands;
 class ManualDrive;
 class MassPanel;
@@ -29,6 +31,7 @@ class ProblemsPanel;
 class PropertyPanel;
 class RecordingCommands;
 class RunBar;
+class RunLibrary;
 class SceneLink;
 class StaticsPanel;
 class StaticsSession;
@@ -57,6 +60,12 @@ class MainWindow : public QMainWindow {
 
     StaticsSession& statics() { return *statics_; }
 
+    RunLibrary& library() { return *library_; }
+
+    Experiment& experiment() { return *experiment_; }
+
+    ComparePanel& compare() { return *compare_; }
+
     MobilityPanel& mobility() { return *mobility_; }
 
     render::Scene& scene() { return *scene_; }
@@ -67,11 +76,15 @@ class MainWindow : public QMainWindow {
     /// Starts or pauses; makes a new run when there is none or it is of another design. False when
     /// it cannot run; the problems panel says why.
     bool playPause();
+    /// Drives the chosen scenario with the chosen controller and its rival, side by side. False
+    /// when it cannot run.
+    bool runExperiment();
     /// Opens a project or a recording, by its name; asks about unsaved changes first. False when it
     /// was not opened; says why.
     bool open(const QString& file);
     void setDark(bool dark);
-    /// Brings a panel to the front: "rover", "mobility", "statics", "mass", "problems" or "run".
+    /// Brings a panel to the front: "rover", "mobility", "statics", "mass",
+    /// "problems", "compare" or "run".
     /// False when there is no such panel.
     bool showPanel(const QString& name);
     /// Window size, panels and theme as the user left them.
@@ -85,7 +98,7 @@ class MainWindow : public QMainWindow {
 
   private:
     /// Of saved arrangements of the panels.
-    static constexpr int kLayoutVersion = 2;
+    static constexpr int kLayoutVersion = 3;
 
     void makeActions();
     void makeFileActions();
@@ -112,6 +125,9 @@ class MainWindow : public QMainWindow {
     void selectInMobility(const std::string& joint);
     void setOverlay(bool render::Overlays::*overlay, bool on);
     bool prepareRun();
+    /// False with critical problems, which it shows.
+    bool showRunProblems(const simcore::Problems& problems);
+    void updateController();
     void showRecording(const std::shared_ptr<RecordedRun>& run);
     void stepForward();
     void saveScreenshot();
@@ -121,6 +137,8 @@ class MainWindow : public QMainWindow {
 
     Document* document_;
     RunSession* session_;
+    RunLibrary* library_;
+    Experiment* experiment_;
     StaticsSession* statics_;
     std::shared_ptr<render::Scene> scene_;
     ActionRegistry* actions_;
@@ -138,6 +156,7 @@ class MainWindow : public QMainWindow {
     ProblemsPanel* problems_ = nullptr;
     RunBar* runBar_ = nullptr;
     PlotPanel* plots_ = nullptr;
+    ComparePanel* compare_ = nullptr;
     QDockWidget* problemsDock_ = nullptr;
     QDockWidget* mobilityDock_ = nullptr;
     QDockWidget* staticsDock_ = nullptr;

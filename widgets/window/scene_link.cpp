@@ -32,15 +32,22 @@ ParameterValues parametersFor(const simcore::project::Scenario& scenario,
 
 }  // namespace
 
-SceneLink::SceneLink(Document* document, RunSession* session, std::shared_ptr<render::Scene> scene,
-                     Viewport* viewport, QObject* parent)
+SceneLink::SceneLink(Document* document, RunSession* session, RunLibrary* library,
+                     std::shared_ptr<render::Scene> scene, Viewport* viewport, QObject* parent)
     : QObject(parent),
       document_(document),
       session_(session),
+      library_(library),
       scene_(std::move(scene)),
       viewport_(viewport) {
     connect(document_, &Document::changed, this, &SceneLink::showDesign);
     connect(session_, &RunSession::snapshotChanged, this, &SceneLink::showRun);
+    const auto followGhost = [this] {
+        showGhost();
+        redraw();
+    };
+    connect(library_, &RunLibrary::changed, this, followGhost);
+    connect(library_, &RunLibrary::dataChanged, this, followGhost);
     connect(session_, &RunSession::runChanged, this, [this] {
         // Whatever run was shown is gone.
         showsRun_ = false;
@@ -67,6 +74,7 @@ void SceneLink::showMechanism(const simcore::mechanism::Mechanism& mechanism) {
 void SceneLink::showDesign() {
     const auto& derived = document_->derived();
     showsRun_ = false;
+    showGhost();
     if (standing_) {
         showStanding();
         return;
@@ -122,7 +130,24 @@ void SceneLink::showRun(const simcore::run::Snapshot& snapshot) {
         }
     }
     scene_->setSnapshot(snapshot);
+    showGhost();
     redraw();
+}
+
+void SceneLink::showGhost() {
+    const RunSession* ghost = showsRun_ ? library_->ghostRun() : nullptr;
+    if (ghost == nullptr) {
+        ghostShown_ = 0;
+        ghostMechanism_.reset();
+        scene_->setGhost(nullptr, {});
+        return;
+    }
+    if (ghostShown_ != library_->ghost()) {
+        ghostShown_ = library_->ghost();
+        ghostMechanism_ =
+            std::make_shared<simcore::mechanism::Mechanism>(ghost->settings().mechanism);
+    }
+    scene_->setGhost(ghostMechanism_, ghost->instantNear(session_->shownTime())->bodies);
 }
 
 void SceneLink::setScenario(const QString& name) {

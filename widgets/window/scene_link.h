@@ -6,6 +6,7 @@
 
 #include "render/scene.h"
 #include "widgets/document/document.h"
+#include "widgets/session/run_library.h"
 #include "widgets/session/run_session.h"
 #include "widgets/viewport/viewport.h"
 
@@ -23,8 +24,8 @@ struct StandingRover {
 class SceneLink : public QObject {
     Q_OBJECT
   public:
-    SceneLink(Document* document, RunSession* session, std::shared_ptr<render::Scene> scene,
-              Viewport* viewport, QObject* parent = nullptr);
+    SceneLink(Document* document, RunSession* session, RunLibrary* library,
+              std::shared_ptr<render::Scene> scene, Viewport* viewport, QObject* parent = nullptr);
 
     /// The scenario whose terrain the design stands on.
     void setScenario(const QString& name);
@@ -58,6 +59,7 @@ class SceneLink : public QObject {
 
   private:
     void showRun(const simcore::run::Snapshot& snapshot);
+    void showGhost();
     void showStanding();
     void showMechanism(const simcore::mechanism::Mechanism& mechanism);
     void showTerrain();
@@ -67,6 +69,7 @@ class SceneLink : public QObject {
 
     Document* document_;
     RunSession* session_;
+    RunLibrary* library_;
     std::shared_ptr<render::Scene> scene_;
     Viewport* viewport_;
     simcore::mechanism::Mechanism mechanism_;  ///< of what is on show
@@ -75,6 +78,8 @@ class SceneLink : public QObject {
     QString scenario_;
     simcore::mobility::Model model_ = simcore::mobility::Model::Built;
     bool showsRun_ = false;
+    int ghostShown_ = 0;  ///< id of its run
+    std::shared_ptr<const simcore::mechanism::Mechanism> ghostMechanism_;
     std::optional<StandingRover> standing_;
     std::shared_ptr<const simcore::run::ResolvedRun> standingShown_;  ///< null: something else is
     // What the design's terrain was made from.

@@ -13,6 +13,7 @@
 #include "widgets/plots/plot_panel.h"
 #include "widgets/session/may_replace.h"
 #include "widgets/session/run_bar.h"
+#include "widgets/session/run_library.h"
 #include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
 #include "widgets/window/main_window.h"
@@ -157,6 +158,17 @@ void MainWindow::makeRunActions() {
     actions_->add("runAgain", tr("Run again and &compare"), {QKeySequence("Ctrl+Shift+E")},
                   tr("Run the opened recording again: is it the same to the last bit?"),
                   [this] { recordings_->runAgain(); });
+    actions_->add("keepRun", tr("&Keep run"), {QKeySequence("Ctrl+K")},
+                  tr("Hold a copy of the run on show, to compare the next with it"), [this] {
+                      library_->keep(*session_, document_->project());
+                      showPanel("compare");
+                  });
+    actions_->add("experiment", tr("Run two &controllers"), {QKeySequence("Ctrl+Shift+K")},
+                  tr("Drive the scenario with the chosen controller and its rival, side by side"),
+                  [this] {
+                      showPanel("compare");
+                      runExperiment();
+                  });
     actions_->add("faster", tr("&Faster"), {QKeySequence("+"), QKeySequence("=")},
                   tr("Faster playback"), [this] { runBar_->changeSpeed(1); });
     actions_->add("slower", tr("S&lower"), {QKeySequence("-")}, tr("Slower playback"),
@@ -172,6 +184,8 @@ void MainWindow::makeRunActions() {
                   tr("Show the mobility panel"), [this] { showPanel("mobility"); });
     actions_->add("showStatics", tr("&Statics"), {QKeySequence("Ctrl+T")},
                   tr("Show the statics panel"), [this] { showPanel("statics"); });
+    actions_->add("showCompare", tr("&Compare"), {QKeySequence("Ctrl+Shift+X")},
+                  tr("Show the panel that compares runs"), [this] { showPanel("compare"); });
     actions_->add("showProblems", tr("&Problems"), {QKeySequence("Ctrl+Shift+M")},
                   tr("Show the problems panel"), [this] { showPanel("problems"); });
 }
@@ -216,9 +230,11 @@ void MainWindow::makeMenus() {
     QMenu* theme = view->addMenu(tr("T&heme"));
     fill(theme, {"themeDark", "themeLight"});
     fill(view, {"resetLayout", "fullScreen"});
-    fill(menuBar()->addMenu(tr("&Run")), {"playPause", "step", "stepBack", "live", "reset",
-                                          "runAgain", "", "faster", "slower", "", "showDesign"});
-    fill(menuBar()->addMenu(tr("&Analyze")), {"showMobility", "showStatics", "showProblems"});
+    fill(menuBar()->addMenu(tr("&Run")),
+         {"playPause", "step", "stepBack", "live", "reset", "runAgain", "", "keepRun", "experiment",
+          "", "faster", "slower", "", "showDesign"});
+    fill(menuBar()->addMenu(tr("&Analyze")),
+         {"showMobility", "showStatics", "showCompare", "showProblems"});
     fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "system", "", "about"});
 }
 

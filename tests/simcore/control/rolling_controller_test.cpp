@@ -104,6 +104,39 @@ TEST(RollingControllerTest, TorquesAreTheModelsOptimum) {
     }
 }
 
+// Who watches sees the model's forces: they balance the weight, and the torque that goes out is the
+// planned one and the loop's share.
+TEST(RollingControllerTest, TheIntentIsWhatGoesOut) {
+    const mechanism::Mechanism mechanism = solero();
+    constexpr double kSlope = 0.2;
+    for (const ControllerKind kind : {ControllerKind::Torque, ControllerKind::Hybrid}) {
+        ControllerSettings settings;
+        settings.kind = kind;
+        const auto controller = makeController(mechanism, settings);
+        EXPECT_TRUE(controller->intent().wheels.empty());
+        std::vector<WheelCommand> wheels(mechanism.wheels.size());
+        controller->update(standing(mechanism, kSlope, 0.08), {.speed = 0.1}, wheels);
+        const Intent& intent = controller->intent();
+        double normal = 0.0;
+        for (std::size_t i = 0; i < wheels.size(); ++i) {
+            normal += intent.wheels[i].normalForce;
+            EXPECT_GT(wheels[i].torque, intent.wheels[i].torque);  // the rover is too slow
+        }
+        EXPECT_NEAR(normal, mechanism.mass() * dynamics::kGravity * std::cos(kSlope), 1e-6);
+        EXPECT_NEAR(intent.requiredFriction, std::tan(kSlope), 1e-6);
+        EXPECT_GT(intent.commonTorque, 0.0);
+        EXPECT_GT(intent.frictionCap, 0.0);
+        controller->update(standing(mechanism, 0.0, 0.0), {.brake = true}, wheels);
+        EXPECT_TRUE(std::isnan(controller->intent().requiredFriction));
+        EXPECT_TRUE(std::isnan(controller->intent().wheels[0].torque));
+    }
+    const auto speed = makeController(mechanism, {});
+    std::vector<WheelCommand> wheels(mechanism.wheels.size());
+    speed->update(standing(mechanism, 0.0, 0.0), {.speed = 0.1}, wheels);
+    EXPECT_NEAR(speed->intent().wheels[2].rate, 0.1 / mechanism.wheels[2].radius, 1e-12);
+    EXPECT_TRUE(std::isnan(speed->intent().commonTorque));
+}
+
 // Encoders, tilt and contacts make the pose: bodies are where the engine's tree puts them.
 TEST(RoverEstimateTest, TakesUpTheMeasuredPose) {
     const mechanism::Mechanism mechanism = solero();
