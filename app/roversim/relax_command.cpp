@@ -8,6 +8,7 @@
 #include "simcore/io/mobility_json.h"
 #include "simcore/io/project_file.h"
 #include "simcore/mobility/advisor.h"
+#include "simcore/project/names.h"
 
 namespace roversim {
 
@@ -47,7 +48,10 @@ void printAdvice(const std::string& rover, const mobility::Advice& advice) {
         const mobility::Proposal& proposal = advice.proposals[i];
         fmt::print("\nProposal {}: {}; margin {:.2g}\n", i + 1, proposal.why, proposal.margin);
         for (const mobility::JointChange& change : proposal.changes) {
-            fmt::print("  {:<34} {} -> {}\n", change.element, change.from, change.to);
+            fmt::print("  {:<34} {} -> {}{}\n", change.element, change.from, change.to,
+                       change.sides == project::Sides::Both
+                           ? ""
+                           : fmt::format(" ({} only)", project::nameOf(change.sides)));
         }
     }
 }

@@ -4,6 +4,7 @@
 
 #include "simcore/base/version.h"
 #include "simcore/io/json_format.h"
+#include "simcore/project/names.h"
 
 namespace simcore::io {
 namespace {
@@ -156,6 +157,7 @@ nlohmann::ordered_json toJson(const mobility::Advice& advice) {
     json["complete"] = advice.end == mobility::AdviceEnd::Complete;
     json["ended"] = toText(advice.end);
     json["searched_moved_pose"] = advice.searchedMovedPose;
+    json["one_sided"] = advice.oneSided;
     json["notes"] = advice.notes;
     json["built"] = countsOf(advice.built);
     json["relaxed_in_file"] = countsOf(advice.fileRelaxed);
@@ -167,6 +169,7 @@ nlohmann::ordered_json toJson(const mobility::Advice& advice) {
             item["joints"].push_back({{"name", change.element},
                                       {"from", change.from},
                                       {"to", change.to},
+                                      {"sides", project::nameOf(change.sides)},
                                       {"relaxed", change.relaxed},
                                       {"changes", change.copies},
                                       {"freed", change.freed},

@@ -89,6 +89,22 @@ MakeUp makeUpOf(const std::vector<ChangeableElement>& elements, const ExactSet& 
     return makeUp;
 }
 
+const char* pluralOf(JointType type) {
+    switch (type) {
+        case JointType::SidewaysContact:
+            return "contacts free sideways";
+        case JointType::Ball:
+            return "balls";
+        case JointType::Cylindrical:
+            return "cylindrical";
+        case JointType::Universal:
+            return "universal";
+        case JointType::BallWithSlide:
+            return "balls with slide";
+    }
+    return "";
+}
+
 std::string textOf(const std::vector<JointChange>& changes) {
     std::map<JointType, int> counts;
     for (const JointChange& change : changes) {
@@ -96,7 +112,7 @@ std::string textOf(const std::vector<JointChange>& changes) {
     }
     std::vector<std::string> parts;
     for (const auto& [type, count] : counts) {
-        parts.push_back(fmt::format("{} {}", count, toString(type)));
+        parts.push_back(fmt::format("{} {}", count, count == 1 ? toString(type) : pluralOf(type)));
     }
     return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -157,8 +173,30 @@ class Advisor {
     }
 
     void search(const project::Project& base, const std::vector<JointChange>& held) {
-        const auto elements = findChanges(base, base_, pose_.stance, options_);
+        searchAmong(findChanges(base, base_, pose_.stance, options_, false), held);
+        if (advice_.proposals.empty() && advice_.end == AdviceEnd::Complete && hasMirrored()) {
+            searchAmong(findChanges(base, base_, pose_.stance, options_, true), held);
+            advice_.oneSided = true;
+            if (!advice_.proposals.empty()) {
+                advice_.notes.push_back(
+                    "No set that changes both sides alike is exact, so each of "
+                    "these changes something on one side only.");
+            }
+        }
+    }
+
+    bool hasMirrored() const {
+        const project::Rover& rover = project_.rover;
+        const auto mirrored = [](const auto& element) { return element.mirror; };
+        return std::any_of(rover.joints.begin(), rover.joints.end(), mirrored) ||
+               std::any_of(rover.wheels.begin(), rover.wheels.end(), mirrored);
+    }
+
+    /// Adds proposals, cheapest first, until there are enough, there are no more, or it is over.
+    void searchAmong(const std::vector<ChangeableElement>& elements,
+                     const std::vector<JointChange>& held) {
         std::vector<std::vector<Choice>> choices;
+        choices.reserve(elements.size());
         for (const ChangeableElement& element : elements) {
             choices.push_back(element.choices);
         }
@@ -338,9 +376,11 @@ Result<project::Project> withRelaxation(const project::Project& project, const P
     project::Project changed = project;
     for (project::Joint& joint : changed.rover.joints) {
         joint.relaxed.clear();
+        joint.relaxedSides = project::Sides::Both;
     }
     for (project::Wheel& wheel : changed.rover.wheels) {
         wheel.relaxedLateral = false;
+        wheel.relaxedSides = project::Sides::Both;
     }
     Problems problems;
     const auto missing = [&](const std::string& element) {
@@ -357,6 +397,7 @@ Result<project::Project> withRelaxation(const project::Project& project, const P
                 continue;
             }
             changed.rover.wheels[index].relaxedLateral = true;
+            changed.rover.wheels[index].relaxedSides = change.sides;
         } else {
             const auto index = static_cast<std::size_t>(change.joint);
             if (index >= changed.rover.joints.size() ||
@@ -365,6 +406,7 @@ Result<project::Project> withRelaxation(const project::Project& project, const P
                 continue;
             }
             changed.rover.joints[index].relaxed = change.relaxed;
+            changed.rover.joints[index].relaxedSides = change.sides;
         }
     }
     if (!problems.empty()) {
@@ -386,8 +428,7 @@ std::string describe(const Advice& advice) {
     const std::size_t count = advice.proposals.size();
     if (count == 0) {
         text += advice.end == AdviceEnd::Complete
-                    ? ". No set of permitted joints makes the rover exact; where a mirrored pair "
-                      "has to differ, split it into two elements, or permit more joints."
+                    ? ". No set of permitted joints makes it exact and leaves its motion as it is."
                     : ". None was found until then.";
     } else {
         text +=

@@ -26,6 +26,9 @@ enum class JointType {
 /// contact costs no part. What is cheaper in points is proposed first.
 int costOf(JointType type);
 
+/// Points on top for changing one copy of a mirrored element and not the other. Assumed.
+inline constexpr int kOneSidedCost = 3;
+
 /// "ball", "ball with slide", ...
 std::string toString(JointType type);
 
@@ -42,8 +45,8 @@ struct AdvisorOptions {
     bool axles = false;    ///< axles of wheels may be changed
 };
 
-/// One element of the project with other freedoms in the relaxed model; both sides of a mirrored
-/// one.
+/// One element of the project with other freedoms in the relaxed model: both sides of a mirrored
+/// one, unless nothing exact is that symmetric.
 struct JointChange {
     int joint = -1;                   ///< index in Rover::joints; -1 for contacts
     int wheel = -1;                   ///< index in Rover::wheels; -1 for joints
@@ -52,6 +55,7 @@ struct JointChange {
     std::string from;                 ///< "pin", "contact", ...
     std::string to;                   ///< "ball", "ball with slide z", ...
     JointType type = JointType::Ball;
+    project::Sides sides = project::Sides::Both;  ///< which copies change
     /// Joint::relaxed; empty for contacts.
     std::vector<project::FreedomText> relaxed;
     int freed = 0;  ///< directions let go, of all copies; negative: held, against an idle freedom
@@ -84,6 +88,8 @@ struct Advice {
     bool alreadyExact = false;  ///< as built: nothing redundant, nothing idle
     /// The drawn pose is special, so a pose after a small real motion was searched.
     bool searchedMovedPose = false;
+    /// Nothing exact treats both sides alike, so changes of one side were searched, too.
+    bool oneSided = false;
     std::vector<Proposal> proposals;  ///< cheapest first
     AdviceEnd end = AdviceEnd::Complete;
     std::vector<std::string> notes;  ///< what a person should know, one sentence each

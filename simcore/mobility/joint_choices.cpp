@@ -21,6 +21,7 @@ using mechanism::Freedom;
 using mechanism::FreedomKind;
 using mechanism::orthogonalComplement;
 using project::Side;
+using project::Sides;
 
 constexpr double kSameDirection = 1e-6;  // sine of the angle
 // A reaction that small in all self-stress states is none: letting it go makes something move.
@@ -61,6 +62,21 @@ Place placeOf(const project::Joint& joint, const mechanism::Mechanism& mechanism
     return place;
 }
 
+/// Which copies may be changed, apart from others.
+std::vector<Sides> waysToTakeSides(bool mirror, bool oneSided) {
+    return mirror && oneSided ? std::vector<Sides>{Sides::Both, Sides::Left, Sides::Right}
+                              : std::vector<Sides>{Sides::Both};
+}
+
+/// Those of a list that has the left copy and then the right one, or a single one.
+template <class T>
+std::vector<T> copiesOn(Sides sides, const std::vector<T>& copies) {
+    if (sides == Sides::Both || copies.size() < 2) {
+        return copies;
+    }
+    return {sides == Sides::Left ? copies.front() : copies.back()};
+}
+
 bool same(const Vec3& a, const Vec3& b) {
     return a.cross(b).norm() < kSameDirection;
 }
@@ -76,9 +92,14 @@ project::FreedomText textOf(const Freedom& freedom, const Vec3& axisAsDrawn) {
             return fmt::format("{} {}", kind, "xyz"[k]);
         }
     }
-    const auto number = [](double x) { return std::abs(x) < 1e-6 ? 0.0 : x; };
-    return fmt::format("{} {:.7g} {:.7g} {:.7g}", kind, number(freedom.direction.x()),
-                       number(freedom.direction.y()), number(freedom.direction.z()));
+    Index largest = 0;
+    freedom.direction.cwiseAbs().maxCoeff(&largest);
+    const double sign = freedom.direction[largest] < 0.0 ? -1.0 : 1.0;
+    const auto number = [&](int k) {
+        const double x = sign * freedom.direction[k];
+        return std::abs(x) < 1e-6 ? 0.0 : x;
+    };
+    return fmt::format("{} {:.7g} {:.7g} {:.7g}", kind, number(0), number(1), number(2));
 }
 
 std::string nameOf(const std::vector<Freedom>& freedoms) {
@@ -232,15 +253,16 @@ class SelfStress {
           jacobian_(constraintJacobian(mechanism, Model::Built, stance)),
           states_(Factorisation(jacobian_.matrix).selfStress) {}
 
-    /// A row per direction that changing all copies lets go.
-    MatrixXd relievedBy(const Place& place, const std::vector<Freedom>& freedoms) const {
+    /// A row per direction that changing these copies lets go.
+    MatrixXd relievedBy(const Place& place, Sides sides,
+                        const std::vector<Freedom>& freedoms) const {
         MatrixXd rows(0, states_.cols());
         const auto& built = mechanism_.joints[asSize(place.copies.front())].built;
-        for (std::size_t copy = 0; copy < place.copies.size(); ++copy) {
+        for (const int copy : copiesOn(sides, place.copies)) {
+            const bool asDrawn = copy == place.copies.front();
             for (const FreedomKind kind : {FreedomKind::Turn, FreedomKind::Slide}) {
                 for (const Vec3& drawn : directionsBetween(built, freedoms, kind)) {
-                    append(rows, reaction(place.copies[copy], kind,
-                                          copy == 0 ? drawn : mirrored(drawn, kind)));
+                    append(rows, reaction(copy, kind, asDrawn ? drawn : mirrored(drawn, kind)));
                 }
             }
         }
@@ -312,7 +334,7 @@ bool relieveTheSame(const MatrixXd& a, const MatrixXd& b) {
 /// more strongly, as a slide normal to a bar does more than a slanting one.
 void add(ChangeableElement& element, JointChange change, Choice choice) {
     for (std::size_t k = 0; k < element.choices.size(); ++k) {
-        if (element.changes[k].type == change.type &&
+        if (element.changes[k].type == change.type && element.changes[k].sides == change.sides &&
             relieveTheSame(element.choices[k].relieved, choice.relieved)) {
             if (choice.relieved.norm() > (1.0 + 1e-6) * element.choices[k].relieved.norm()) {
                 element.changes[k] = std::move(change);
@@ -336,11 +358,18 @@ bool isAxle(const mechanism::Mechanism& mechanism, int joint) {
                        [&](const auto& wheel) { return wheel.axle == joint; });
 }
 
-JointChange changeOf(int index, const Place& place, const mechanism::Mechanism& mechanism) {
+int costOfChange(const JointChange& change) {
+    return costOf(change.type) * static_cast<int>(change.copies.size()) +
+           (change.sides == Sides::Both ? 0 : kOneSidedCost);
+}
+
+JointChange changeOf(int index, const Place& place, const mechanism::Mechanism& mechanism,
+                     Sides sides) {
     JointChange change;
     change.joint = index;
     change.element = place.joint->name;
-    for (const int copy : place.copies) {
+    change.sides = sides;
+    for (const int copy : copiesOn(sides, place.copies)) {
         change.copies.push_back(mechanism.joints[asSize(copy)].name);
     }
     change.from = nameOf(mechanism.joints[asSize(place.copies.front())].built);
@@ -349,51 +378,56 @@ JointChange changeOf(int index, const Place& place, const mechanism::Mechanism& 
 
 ChangeableElement changesOfJoint(int index, const Place& place,
                                  const mechanism::Mechanism& mechanism,
-                                 const SelfStress& selfStress, const AdvisorOptions& options) {
+                                 const SelfStress& selfStress, const AdvisorOptions& options,
+                                 bool oneSided) {
     ChangeableElement element;
     if (place.copies.empty() || (!options.axles && isAxle(mechanism, place.copies.front()))) {
         return element;
     }
     // The gear's shaft must stay in line with its axis.
     const bool turnsOnly = turnsInGear(mechanism, place.copies.front());
-    for (Target& target : targetsOf(mechanism, place, options, turnsOnly)) {
-        Choice choice{0, selfStress.relievedBy(place, target.freedoms)};
-        if (!movesNothing(choice.relieved)) {
-            continue;
+    for (const Target& target : targetsOf(mechanism, place, options, turnsOnly)) {
+        for (const Sides sides : waysToTakeSides(place.joint->mirror, oneSided)) {
+            Choice choice{0, selfStress.relievedBy(place, sides, target.freedoms)};
+            if (!movesNothing(choice.relieved)) {
+                continue;
+            }
+            JointChange change = changeOf(index, place, mechanism, sides);
+            change.to = target.name;
+            change.type = target.type;
+            change.relaxed = target.texts;
+            change.freed = static_cast<int>(choice.relieved.rows());
+            change.cost = choice.cost = costOfChange(change);
+            add(element, std::move(change), std::move(choice));
         }
-        JointChange change = changeOf(index, place, mechanism);
-        change.to = target.name;
-        change.type = target.type;
-        change.relaxed = std::move(target.texts);
-        change.freed = static_cast<int>(choice.relieved.rows());
-        change.cost = costOf(target.type) * static_cast<int>(place.copies.size());
-        choice.cost = change.cost;
-        add(element, std::move(change), std::move(choice));
     }
     return element;
 }
 
 ChangeableElement changesOfWheel(int index, const project::Wheel& wheel,
                                  const mechanism::Mechanism& mechanism,
-                                 const SelfStress& selfStress) {
-    JointChange change;
-    change.wheel = index;
-    change.element = "contact " + wheel.name;
-    std::vector<int> wheels;
-    for (const Side side : sidesOf(wheel.mirror)) {
-        const std::string name = project::nameOnSide(wheel.name, side);
-        wheels.push_back(mechanism.findWheel(name));
-        change.copies.push_back("contact " + name);
-    }
-    change.from = "contact";
-    change.to = "contact free sideways";
-    change.type = JointType::SidewaysContact;
-    change.freed = static_cast<int>(wheels.size());
-    change.cost = costOf(change.type) * change.freed;
-    Choice choice{change.cost, selfStress.relievedSideways(wheels)};
+                                 const SelfStress& selfStress, bool oneSided) {
     ChangeableElement element;
-    if (movesNothing(choice.relieved)) {
-        add(element, std::move(change), std::move(choice));
+    for (const Sides sides : waysToTakeSides(wheel.mirror, oneSided)) {
+        JointChange change;
+        change.wheel = index;
+        change.element = "contact " + wheel.name;
+        std::vector<int> wheels;
+        for (const Side side : copiesOn(sides, sidesOf(wheel.mirror))) {
+            const std::string name = project::nameOnSide(wheel.name, side);
+            wheels.push_back(mechanism.findWheel(name));
+            change.copies.push_back("contact " + name);
+        }
+        change.from = "contact";
+        change.to = "contact free sideways";
+        change.type = JointType::SidewaysContact;
+        change.sides = sides;
+        change.freed = static_cast<int>(wheels.size());
+        change.cost = costOfChange(change);
+        Choice choice{change.cost, selfStress.relievedSideways(wheels)};
+        if (movesNothing(choice.relieved)) {
+            add(element, std::move(change), std::move(choice));
+        }
     }
     return element;
 }
@@ -446,14 +480,14 @@ std::optional<JointChange> holdTurn(int index, const Place& place,
         directionsOf(joint.built, FreedomKind::Slide).size() != 0) {
         return std::nullopt;
     }
-    JointChange change = changeOf(index, place, mechanism);
+    JointChange change = changeOf(index, place, mechanism, Sides::Both);
     for (const Vec3& free : orthogonalComplement({idle.turn.normalized()})) {
         change.relaxed.push_back(textOf({FreedomKind::Turn, free}, joint.axis));
     }
     change.type = JointType::Universal;
     change.to = "universal";
     change.freed = -static_cast<int>(place.copies.size());
-    change.cost = costOf(change.type) * static_cast<int>(place.copies.size());
+    change.cost = costOfChange(change);
     return change;
 }
 
@@ -485,7 +519,8 @@ bool sameWantedMotions(const mechanism::Mechanism& mechanism, const ConstraintJa
 
 std::vector<ChangeableElement> findChanges(const project::Project& project,
                                            const mechanism::Mechanism& mechanism,
-                                           const Stance& stance, const AdvisorOptions& options) {
+                                           const Stance& stance, const AdvisorOptions& options,
+                                           bool oneSided) {
     const SelfStress selfStress(mechanism, stance);
     std::vector<ChangeableElement> elements;
     const auto keep = [&](ChangeableElement element) {
@@ -496,10 +531,10 @@ std::vector<ChangeableElement> findChanges(const project::Project& project,
     const project::Rover& rover = project.rover;
     for (std::size_t i = 0; i < rover.joints.size(); ++i) {
         keep(changesOfJoint(static_cast<int>(i), placeOf(rover.joints[i], mechanism), mechanism,
-                            selfStress, options));
+                            selfStress, options, oneSided));
     }
     for (std::size_t i = 0; i < rover.wheels.size() && options.contacts; ++i) {
-        keep(changesOfWheel(static_cast<int>(i), rover.wheels[i], mechanism, selfStress));
+        keep(changesOfWheel(static_cast<int>(i), rover.wheels[i], mechanism, selfStress, oneSided));
     }
     return elements;
 }

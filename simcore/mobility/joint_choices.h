@@ -21,9 +21,11 @@ struct ChangeableElement {
 /// project first, then wheels, in the order of the file.
 /// @param mechanism  resolve(project)
 /// @param stance     where the self-stress states are looked at
+/// @param oneSided   mirrored elements may be changed on one side only, too
 std::vector<ChangeableElement> findChanges(const project::Project& project,
                                            const mechanism::Mechanism& mechanism,
-                                           const Stance& stance, const AdvisorOptions& options);
+                                           const Stance& stance, const AdvisorOptions& options,
+                                           bool oneSided);
 
 /// Joints with a turn less, so that no idle freedom is left and chassis and wheels move as before:
 /// one of a rod's two balls becomes a universal joint. Empty where there is none, or no such
