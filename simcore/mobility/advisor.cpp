@@ -105,12 +105,13 @@ const char* pluralOf(JointType type) {
     return "";
 }
 
-std::string textOf(const std::vector<JointChange>& changes) {
+std::string summaryOf(const std::vector<JointChange>& changes) {
     std::map<JointType, int> counts;
     for (const JointChange& change : changes) {
         counts[change.type] += static_cast<int>(change.copies.size());
     }
     std::vector<std::string> parts;
+    parts.reserve(counts.size());
     for (const auto& [type, count] : counts) {
         parts.push_back(fmt::format("{} {}", count, count == 1 ? toString(type) : pluralOf(type)));
     }
@@ -155,6 +156,11 @@ class Advisor {
 
   private:
     void addNotes() {
+        const Report& file = advice_.fileRelaxed;
+        if (!advice_.alreadyExact && file.redundant == 0 && file.idle.empty() &&
+            file.mobility == pose_.report.mobility) {
+            advice_.notes.push_back("The relaxed model that the file has is exact.");
+        }
         if (pose_.moved) {
             advice_.notes.push_back(
                 "The drawn pose is special: after a small real motion more constraints hold. The "
@@ -315,7 +321,7 @@ class Advisor {
         for (Proposal& proposal : advice_.proposals) {
             proposal.why =
                 fmt::format("{} joints change: {}; {} points{}", proposal.changed,
-                            textOf(proposal.changes), proposal.cost,
+                            summaryOf(proposal.changes), proposal.cost,
                             proposal.cost == least
                                 ? ", the least"
                                 : fmt::format(", {} more than the least", proposal.cost - least));
@@ -346,6 +352,10 @@ int costOf(JointType type) {
             return 5;
     }
     return 0;
+}
+
+int costOfOneSide(JointType type) {
+    return type == JointType::SidewaysContact ? 1 : 3;
 }
 
 std::string toString(JointType type) {

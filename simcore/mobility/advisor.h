@@ -26,8 +26,9 @@ enum class JointType {
 /// contact costs no part. What is cheaper in points is proposed first.
 int costOf(JointType type);
 
-/// Points on top for changing one copy of a mirrored element and not the other. Assumed.
-inline constexpr int kOneSidedCost = 3;
+/// Points on top for changing one copy of a mirrored element and not the other: the two sides are
+/// then different parts, which a contact is not. Assumed.
+int costOfOneSide(JointType type);
 
 /// "ball", "ball with slide", ...
 std::string toString(JointType type);

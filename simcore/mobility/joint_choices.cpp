@@ -81,12 +81,9 @@ bool same(const Vec3& a, const Vec3& b) {
     return a.cross(b).norm() < kSameDirection;
 }
 
-/// "slide z", "turn axis", "slide 0.6 0 0.8"
-project::FreedomText textOf(const Freedom& freedom, const Vec3& axisAsDrawn) {
+/// "slide z", "turn 0.6 0 0.8"
+project::FreedomText textOf(const Freedom& freedom) {
     const std::string kind = freedom.kind == FreedomKind::Turn ? "turn" : "slide";
-    if (same(freedom.direction, axisAsDrawn)) {
-        return kind + " axis";
-    }
     for (int k = 0; k < 3; ++k) {
         if (same(freedom.direction, Vec3::Unit(k))) {
             return fmt::format("{} {}", kind, "xyz"[k]);
@@ -100,6 +97,14 @@ project::FreedomText textOf(const Freedom& freedom, const Vec3& axisAsDrawn) {
         return std::abs(x) < 1e-6 ? 0.0 : x;
     };
     return fmt::format("{} {:.7g} {:.7g} {:.7g}", kind, number(0), number(1), number(2));
+}
+
+/// The same, or "slide axis".
+project::FreedomText textOf(const Freedom& freedom, const Vec3& axisAsDrawn) {
+    if (same(freedom.direction, axisAsDrawn)) {
+        return freedom.kind == FreedomKind::Turn ? "turn axis" : "slide axis";
+    }
+    return textOf(freedom);
 }
 
 std::string nameOf(const std::vector<Freedom>& freedoms) {
@@ -165,8 +170,10 @@ std::vector<Target> targetsOf(const mechanism::Mechanism& mechanism, const Place
     std::vector<Target> targets;
     const auto add = [&](JointType type, std::vector<Freedom> freedoms) {
         Target target{type, {}, std::move(freedoms), ""};
+        const bool ball = directionsOf(target.freedoms, FreedomKind::Turn).size() == 3;
         for (const Freedom& freedom : target.freedoms) {
-            target.texts.push_back(textOf(freedom, joint.axis));
+            const bool byAxis = !ball || freedom.kind == FreedomKind::Slide;
+            target.texts.push_back(byAxis ? textOf(freedom, joint.axis) : textOf(freedom));
         }
         target.name = nameOf(target.freedoms);
         if (type == JointType::BallWithSlide) {
@@ -174,7 +181,6 @@ std::vector<Target> targetsOf(const mechanism::Mechanism& mechanism, const Place
         }
         targets.push_back(std::move(target));
     };
-    // Texts as people write them: turns of a ball about the rover's axes.
     const auto ballAnd = [](std::vector<Freedom> more) {
         std::vector<Freedom> freedoms{{FreedomKind::Turn, Vec3::UnitX()},
                                       {FreedomKind::Turn, Vec3::UnitY()},
@@ -332,7 +338,7 @@ bool relieveTheSame(const MatrixXd& a, const MatrixXd& b) {
 
 /// Adds a choice, unless another of its type relieves the same; of two, the one stays that does it
 /// more strongly, as a slide normal to a bar does more than a slanting one.
-void add(ChangeableElement& element, JointChange change, Choice choice) {
+void addUnlessServed(ChangeableElement& element, JointChange change, Choice choice) {
     for (std::size_t k = 0; k < element.choices.size(); ++k) {
         if (element.changes[k].type == change.type && element.changes[k].sides == change.sides &&
             relieveTheSame(element.choices[k].relieved, choice.relieved)) {
@@ -360,7 +366,7 @@ bool isAxle(const mechanism::Mechanism& mechanism, int joint) {
 
 int costOfChange(const JointChange& change) {
     return costOf(change.type) * static_cast<int>(change.copies.size()) +
-           (change.sides == Sides::Both ? 0 : kOneSidedCost);
+           (change.sides == Sides::Both ? 0 : costOfOneSide(change.type));
 }
 
 JointChange changeOf(int index, const Place& place, const mechanism::Mechanism& mechanism,
@@ -398,7 +404,7 @@ ChangeableElement changesOfJoint(int index, const Place& place,
             change.relaxed = target.texts;
             change.freed = static_cast<int>(choice.relieved.rows());
             change.cost = choice.cost = costOfChange(change);
-            add(element, std::move(change), std::move(choice));
+            addUnlessServed(element, std::move(change), std::move(choice));
         }
     }
     return element;
@@ -426,7 +432,7 @@ ChangeableElement changesOfWheel(int index, const project::Wheel& wheel,
         change.cost = costOfChange(change);
         Choice choice{change.cost, selfStress.relievedSideways(wheels)};
         if (movesNothing(choice.relieved)) {
-            add(element, std::move(change), std::move(choice));
+            addUnlessServed(element, std::move(change), std::move(choice));
         }
     }
     return element;
@@ -482,7 +488,7 @@ std::optional<JointChange> holdTurn(int index, const Place& place,
     }
     JointChange change = changeOf(index, place, mechanism, Sides::Both);
     for (const Vec3& free : orthogonalComplement({idle.turn.normalized()})) {
-        change.relaxed.push_back(textOf({FreedomKind::Turn, free}, joint.axis));
+        change.relaxed.push_back(textOf({FreedomKind::Turn, free}));
     }
     change.type = JointType::Universal;
     change.to = "universal";

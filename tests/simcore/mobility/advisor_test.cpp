@@ -24,8 +24,7 @@ using testsupport::shipped;
 namespace {
 
 project::Project linkage(const std::string& name) {
-    auto project =
-        io::loadProject(ROVER_SOURCE_DIR "/assets/mechanisms/" + name + ".rover");
+    auto project = io::loadProject(ROVER_SOURCE_DIR "/assets/mechanisms/" + name + ".rover");
     if (!project) {
         throw std::runtime_error(toString(project.problems()));
     }
@@ -84,7 +83,8 @@ void expectExact(const project::Project& project, const Proposal& proposal) {
     EXPECT_EQ(moved.mobility, relaxed.mobility);
     // What may move when relaxed may move as built.
     const Factorisation free(constraintJacobian(rover, Model::Relaxed).matrix);
-    const auto violated = constraintJacobian(rover, Model::Built).matrix * free.motions;
+    const ConstraintJacobian asBuilt = constraintJacobian(rover, Model::Built);
+    const Eigen::MatrixXd violated = asBuilt.matrix * free.motions;
     EXPECT_LT(violated.norm(), 1e-7);
     int cost = 0;
     for (const JointChange& change : proposal.changes) {
@@ -162,6 +162,7 @@ TEST_P(PaperRoverTest, FindsThePapersCountsUnaided) {
     const Advice advice = adviceOn(project, patient(4));
     EXPECT_EQ(advice.built.redundant, 21);
     EXPECT_EQ(advice.fileRelaxed.redundant, 21);
+    EXPECT_TRUE(advice.notes.empty());
     EXPECT_FALSE(advice.alreadyExact);
     EXPECT_FALSE(advice.oneSided);
     EXPECT_EQ(advice.end, AdviceEnd::Complete);
@@ -210,6 +211,8 @@ TEST(AdvisorTest, RockerBogieWithGearHasToDifferOnTheTwoSides) {
     EXPECT_EQ(advice.end, AdviceEnd::Complete);
     ASSERT_EQ(advice.proposals.size(), 6U);
     expectRanked(advice);
+    EXPECT_EQ(typesOf(advice.proposals[0]),
+              (std::vector(3, JointType::SidewaysContact)));  // one pair, and two single ones
     for (const Proposal& proposal : advice.proposals) {
         expectExact(project, proposal);
         EXPECT_TRUE(std::any_of(
@@ -228,14 +231,15 @@ TEST(AdvisorTest, BarDifferentialLosesItsIdleSpins) {
     for (const Proposal& proposal : advice.proposals) {
         expectExact(project, proposal);
         EXPECT_EQ(proposal.report.mobility, 1);
-        const auto rod = std::find_if(
-            proposal.changes.begin(), proposal.changes.end(),
-            [](const JointChange& change) { return change.element.find("rod") == 0; });
+        const auto rod =
+            std::find_if(proposal.changes.begin(), proposal.changes.end(),
+                         [](const JointChange& change) { return change.element.find("rod") == 0; });
         ASSERT_NE(rod, proposal.changes.end());
         EXPECT_EQ(rod->from, "ball");
         EXPECT_EQ(rod->to, "universal");
         EXPECT_EQ(rod->freed, -2);
-        EXPECT_EQ(rod->relaxed, (std::vector<std::string>{"turn y", "turn z"}));  // rods lie along x
+        EXPECT_EQ(rod->relaxed,
+                  (std::vector<std::string>{"turn y", "turn z"}));  // rods lie along x
     }
 }
 
@@ -246,8 +250,7 @@ TEST(AdvisorTest, PlaneFourBarTakesABallAndACylinder) {
     EXPECT_EQ(advice.built.redundant, 3);
     EXPECT_EQ(advice.end, AdviceEnd::Complete);
     ASSERT_FALSE(advice.proposals.empty());
-    EXPECT_EQ(typesOf(advice.proposals[0]),
-              (std::vector{JointType::Ball, JointType::Cylindrical}));
+    EXPECT_EQ(typesOf(advice.proposals[0]), (std::vector{JointType::Ball, JointType::Cylindrical}));
     expectRanked(advice);
     for (const Proposal& proposal : advice.proposals) {
         expectExact(project, proposal);
@@ -369,6 +372,8 @@ TEST(WithRelaxationTest, ReplacesTheRelaxedModelAndNothingElse) {
     const auto read = io::parseProject(io::formatProject(changed), "text");
     ASSERT_TRUE(read) << toString(read.problems());
     EXPECT_EQ(*read, changed);
+    const Advice again = adviceOn(changed, patient(1));
+    EXPECT_THAT(again.notes, testing::Contains(HasSubstr("file has is exact")));
     // Another proposal on top leaves nothing of the first.
     Proposal none;
     project::Project cleared = applied(changed, none);

@@ -115,8 +115,8 @@ TEST(ExactSetSearchTest, FindsWhatTryingEverythingFinds) {
             previous = cost;
             EXPECT_TRUE(search.visit(cost, kNeverStop, [&](const ExactSet& set) {
                 EXPECT_EQ(set.cost, cost);
-                EXPECT_NEAR(set.margin,
-                            leastSingularValue(stackOf(elements, set.choice, columns)), 1e-9);
+                EXPECT_NEAR(set.margin, leastSingularValue(stackOf(elements, set.choice, columns)),
+                            1e-9);
                 EXPECT_TRUE(sets.insert({cost, set.choice}).second) << "found twice";
             }));
         }
@@ -180,9 +180,8 @@ TEST(ExactSetSearchTest, AgreesWithTheAnalysisOnAllSixtyAssignmentsOfABogie) {
             MatrixXd slide(0, states.cols());
             for (std::size_t i = 0; i < jacobian.names.size(); ++i) {
                 const ConstraintName& row = jacobian.names[i];
-                const bool wanted =
-                    row.joint == pins.back() &&
-                    (row.kind == "turn" || std::abs(row.direction[axis]) > 0.5);
+                const bool wanted = row.joint == pins.back() &&
+                                    (row.kind == "turn" || std::abs(row.direction[axis]) > 0.5);
                 if (wanted) {
                     MatrixXd& rows = row.kind == "turn" ? turns : slide;
                     rows.conservativeResize(rows.rows() + 1, Eigen::NoChange);
