@@ -144,6 +144,20 @@ project::Project tricycle() {
     return std::move(project).value();
 }
 
+/// Where left and right differ, SOLERO as built cannot move at all without slipping sideways;
+/// relaxed it can, and is still determinate.
+void expectExactOnUnevenGround(const project::Project& project, const Proposal& proposal) {
+    SCOPED_TRACE(proposal.why);
+    const Mechanism rover = resolved(applied(project, proposal));
+    for (std::size_t i = 0; i < rover.wheels.size(); ++i) {
+        Stance stance = drawnStance(rover);
+        stance.wheels[i] = standAtAngle(rover.wheels[i], Pose{}, 0.3);
+        const Report report = analyse(rover, Model::Relaxed, stance);
+        EXPECT_EQ(report.redundant, 0) << rover.wheels[i].name;
+        EXPECT_EQ(report.mobility, 1) << rover.wheels[i].name;
+    }
+}
+
 class PaperRoverTest : public testing::TestWithParam<const char*> {};
 
 class LinkageTest : public testing::TestWithParam<const char*> {};
@@ -173,6 +187,7 @@ TEST_P(PaperRoverTest, FindsThePapersCountsUnaided) {
     EXPECT_NE(typesOf(advice.proposals[3]), typesOf(advice.proposals[0]));  // no more than 3 alike
     for (const Proposal& proposal : advice.proposals) {
         expectExact(project, proposal);
+        expectExactOnUnevenGround(project, proposal);
         EXPECT_EQ(proposal.report.gruebler, 1);
         for (const JointChange& change : proposal.changes) {
             EXPECT_EQ(change.sides, project::Sides::Both);
