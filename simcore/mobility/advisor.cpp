@@ -442,8 +442,9 @@ std::string describe(const Advice& advice) {
                     : ". None was found until then.";
     } else {
         text +=
-            fmt::format(". {} set{} of joints that make it exact and leave its motion as it is.",
-                        count, count == 1 ? "" : "s");
+            fmt::format(". Found {} that make{} it exact and leave{} its motion as it is.",
+                        count == 1 ? "one set of joints" : fmt::format("{} sets of joints", count),
+                        count == 1 ? "s" : "", count == 1 ? "s" : "");
     }
     switch (advice.end) {
         case AdviceEnd::Complete:
