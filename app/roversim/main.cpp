@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     app.failure_message(CLI::FailureMessage::simple);
     int exitCode = roversim::kGood;
     roversim::addMobilityCommand(app, exitCode);
+    roversim::addRelaxCommand(app, exitCode);
     roversim::addValidateCommand(app, exitCode);
     roversim::addRunCommand(app, exitCode);
     roversim::addCriticalFrictionCommand(app, exitCode);

@@ -4,6 +4,7 @@
 
 #include "simcore/base/version.h"
 #include "simcore/io/json_format.h"
+#include "simcore/project/names.h"
 
 namespace simcore::io {
 namespace {
@@ -114,7 +115,75 @@ Json toJson(const std::vector<mobility::Loop>& loops) {
     return list;
 }
 
+const char* toText(mobility::AdviceEnd end) {
+    switch (end) {
+        case mobility::AdviceEnd::Complete:
+            return "complete";
+        case mobility::AdviceEnd::TimeUp:
+            return "time";
+        case mobility::AdviceEnd::Cancelled:
+            return "cancelled";
+    }
+    return "";
+}
+
+Json jointCounts(const mobility::Report& report) {
+    Json joints;
+    joints["total"] = report.joints;
+    for (std::size_t i = 0; i < report.jointsByFreedom.size(); ++i) {
+        joints["f" + std::to_string(i + 1)] = report.jointsByFreedom[i];
+    }
+    return joints;
+}
+
+Json countsOf(const mobility::Report& report) {
+    Json json;
+    json["joints_by_freedom"] = jointCounts(report);
+    json["gruebler"] = report.gruebler;
+    json["constraint_rows"] = report.rows;
+    json["rank"] = report.rank;
+    json["mobility"] = report.mobility;
+    json["redundant"] = report.redundant;
+    json["idle"] = report.idle.size();
+    return json;
+}
+
 }  // namespace
+
+nlohmann::ordered_json toJson(const mobility::Advice& advice) {
+    Json json;
+    json["verdict"] = mobility::describe(advice);
+    json["already_exact"] = advice.alreadyExact;
+    json["complete"] = advice.end == mobility::AdviceEnd::Complete;
+    json["ended"] = toText(advice.end);
+    json["searched_moved_pose"] = advice.searchedMovedPose;
+    json["one_sided"] = advice.oneSided;
+    json["notes"] = advice.notes;
+    json["built"] = countsOf(advice.built);
+    json["relaxed_in_file"] = countsOf(advice.fileRelaxed);
+    json["proposals"] = Json::array();
+    for (const mobility::Proposal& proposal : advice.proposals) {
+        Json item;
+        item["joints"] = Json::array();
+        for (const mobility::JointChange& change : proposal.changes) {
+            item["joints"].push_back({{"name", change.element},
+                                      {"from", change.from},
+                                      {"to", change.to},
+                                      {"sides", project::nameOf(change.sides)},
+                                      {"relaxed", change.relaxed},
+                                      {"changes", change.copies},
+                                      {"freed", change.freed},
+                                      {"cost", change.cost}});
+        }
+        item.update(countsOf(proposal.report));
+        item["changed"] = proposal.changed;
+        item["cost"] = proposal.cost;
+        item["margin"] = proposal.margin;
+        item["why"] = proposal.why;
+        json["proposals"].push_back(std::move(item));
+    }
+    return json;
+}
 
 nlohmann::ordered_json toJson(const mobility::Study& study) {
     Json json = toJson(study.present);
@@ -128,12 +197,7 @@ nlohmann::ordered_json toJson(const mobility::Report& report) {
     Json json;
     json["model"] = report.model == mobility::Model::Built ? "built" : "relaxed";
     json["bodies"] = report.bodies;
-    Json joints;
-    joints["total"] = report.joints;
-    for (std::size_t i = 0; i < report.jointsByFreedom.size(); ++i) {
-        joints["f" + std::to_string(i + 1)] = report.jointsByFreedom[i];
-    }
-    json["joints"] = joints;
+    json["joints"] = jointCounts(report);
     json["gruebler"] = report.gruebler;
     json["columns"] = report.columns;
     json["constraint_rows"] = report.rows;

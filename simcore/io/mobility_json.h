@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "simcore/base/problem.h"
+#include "simcore/mobility/advisor.h"
 #include "simcore/mobility/study.h"
 
 namespace simcore::io {
@@ -14,6 +15,11 @@ nlohmann::ordered_json toJson(const mobility::Report& report);
 
 /// The same with `moved reactions[] loops[]`.
 nlohmann::ordered_json toJson(const mobility::Study& study);
+
+/// What the Advisor found: keys `verdict already_exact complete ended searched_moved_pose notes[]
+/// built relaxed_in_file proposals[{joints[{name from to ...}] gruebler rank redundant idle ...}]`.
+/// docs/mobility.md defines them.
+nlohmann::ordered_json toJson(const mobility::Advice& advice);
 
 /// Problems as a list of `severity element reason remedy`.
 nlohmann::ordered_json toJson(const Problems& problems);

@@ -52,6 +52,7 @@ void describe(V& v, const Joint*) {
     v.optional("axis", &Joint::axis);
     v.optional("free", &Joint::free);
     v.optional("relaxed", &Joint::relaxed);
+    v.optional("relaxed_sides", &Joint::relaxedSides);
     v.optional("locked", &Joint::locked);
     v.optional("stops", &Joint::stops);
     v.optional("damping", &Joint::damping);
@@ -82,6 +83,7 @@ void describe(V& v, const Wheel*) {
     v.optional("grousers", &Wheel::grousers);
     v.optional("motor", &Wheel::motor);
     v.optional("relaxed_lateral", &Wheel::relaxedLateral);
+    v.optional("relaxed_sides", &Wheel::relaxedSides);
     v.optional("steering", &Wheel::steering);
     v.optional("steering_motor", &Wheel::steeringMotor);
 }

@@ -59,6 +59,10 @@ struct Body {
     bool operator==(const Body&) const = default;
 };
 
+/// Both sides, y > 0 alone, y < 0 alone: under which wheels a profile lies, or to which copies of a
+/// mirrored element its relaxed freedoms belong.
+enum class Sides { Both, Left, Right };
+
 /// A free direction of a joint, as text: "turn axis", "slide axis" (along the joint's axis),
 /// "turn x", "slide z", ... (rover axes at the drawn pose), "slide 0.1 0 1" (any direction).
 /// Directions are fixed to the joint's *first* body.
@@ -73,6 +77,7 @@ struct Joint {
     Quantity3 axis{0.0, 1.0, 0.0};                 ///< pin axis; any length
     std::vector<FreedomText> free{"turn axis"};    ///< as built
     std::vector<FreedomText> relaxed;              ///< relaxed model; empty = as built
+    Sides relaxedSides = Sides::Both;              ///< copies that `relaxed` is for
     bool locked = false;                           ///< locked joints weld their bodies
     std::optional<std::array<Quantity, 2>> stops;  ///< turn about the axis [rad], drawn pose = 0
     Quantity damping;                              ///< about the axis [N m s/rad]
@@ -103,8 +108,9 @@ struct Wheel {
     Quantity width;     ///< [m]
     int grousers = 18;  ///< drawn only
     Motor motor;
-    bool relaxedLateral = false;  ///< relaxed model: lateral slide freed
-    std::string steering;         ///< optional steering joint; welded unless a controller steers
+    bool relaxedLateral = false;       ///< relaxed model: lateral slide freed
+    Sides relaxedSides = Sides::Both;  ///< copies that `relaxedLateral` is for
+    std::string steering;  ///< optional steering joint; welded unless a controller steers
     SteeringMotor steeringMotor;
     bool operator==(const Wheel&) const = default;
 };
@@ -189,9 +195,6 @@ enum class TerrainKind {
     AsciiGrid,
     Mesh
 };
-
-/// Under which wheels a profile lies: both sides, y > 0, y < 0.
-enum class Sides { Both, Left, Right };
 
 /// The axis of a mesh file that points up.
 enum class UpAxis { Z, Y };

@@ -118,6 +118,10 @@ Mat3 mirroredInertia(Mat3 inertia, Side side) {
     return inertia;
 }
 
+bool isOnSide(Sides sides, Side side) {
+    return sides == Sides::Both || (sides == Sides::Left) == (side == Side::Left);
+}
+
 /// One rigid part of the file before welded parts are merged.
 struct Part {
     std::string name;
@@ -238,6 +242,13 @@ class Resolver {
         if (name.empty() || !names.add(name, 0)) {
             value_.critical(element, name.empty() ? "it has no name." : "the name is used twice.",
                             fmt::format("Give every {} its own name.", kind));
+        }
+    }
+
+    void checkSides(Sides sides, const std::string& element, Side side) {
+        if (sides != Sides::Both && side == Side::Center) {
+            value_.critical(element, "it is relaxed on one side, but it is not mirrored.",
+                            "Mirror it, or relax both sides.");
         }
     }
 
@@ -413,7 +424,10 @@ void Resolver::readFreedoms(const Joint& joint, const std::string& element, Side
         return freedoms;
     };
     out.built = read(joint.free);
-    out.relaxed = joint.relaxed.empty() ? out.built : read(joint.relaxed);
+    checkSides(joint.relaxedSides, element, side);
+    const std::vector<mechanism::Freedom> relaxed = read(joint.relaxed);
+    const bool asBuilt = relaxed.empty() || !isOnSide(joint.relaxedSides, side);
+    out.relaxed = asBuilt ? out.built : relaxed;
 }
 
 void Resolver::readJoints() {
@@ -546,7 +560,8 @@ void Resolver::readWheels() {
             value_.positive(wheel.motor.speedLimit, element, "speed limit", "angular speed");
         out.rotorInertia =
             value_.notNegative(wheel.motor.rotorInertia, element, "rotor inertia", "inertia");
-        out.relaxedLateral = wheel.relaxedLateral;
+        checkSides(wheel.relaxedSides, element, copy.side);
+        out.relaxedLateral = wheel.relaxedLateral && isOnSide(wheel.relaxedSides, copy.side);
         if (wheel.grousers < 0 || wheel.grousers > 200) {
             value_.critical(element, fmt::format("{} grousers cannot be drawn.", wheel.grousers),
                             "Give 0 to 200.");

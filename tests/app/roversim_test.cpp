@@ -80,7 +80,7 @@ TEST_F(RoversimTest, HelpAndVersionSucceed) {
     for (const char* arguments :
          {"--help", "mobility --help", "validate --help", "run --help", "convert --help",
           "replay --help", "export --help", "channels --help", "statics --help", "reproduce --help",
-          "experiment --help"}) {
+          "experiment --help", "relax --help"}) {
         const Outcome outcome = roversim(arguments);
         EXPECT_EQ(outcome.code, 0) << arguments;
         EXPECT_THAT(outcome.out, HasSubstr("Usage")) << arguments;
@@ -176,6 +176,81 @@ TEST_F(RoversimTest, MobilityOfTheRockerBogie) {
     const Outcome outcome = roversim("mobility --json --model built " + shipped("rocker_bogie"));
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(numbers(json::parse(outcome.out)), (std::array{-3, 69, 65, 1, 4}));
+}
+
+TEST_F(RoversimTest, RelaxProposesExactJoints) {
+    const Outcome outcome = roversim("relax --json --max 2 --time 300 " + shipped("solero"));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const json found = json::parse(outcome.out);
+    EXPECT_EQ(found.at("schema"), "roverstudio-relax-1");
+    EXPECT_TRUE(found.contains("program_version"));
+    EXPECT_EQ(found.at("already_exact"), false);
+    EXPECT_EQ(found.at("complete"), true);
+    EXPECT_EQ(numbers(found.at("built")), (std::array{-20, 128, 107, 1, 21}));
+    ASSERT_EQ(found.at("proposals").size(), 2U);
+    for (const json& proposal : found.at("proposals")) {
+        EXPECT_EQ(numbers(proposal), (std::array{1, 107, 107, 1, 0}));
+        EXPECT_EQ(proposal.at("idle"), 0);
+        ASSERT_FALSE(proposal.at("joints").empty());
+        for (const json& joint : proposal.at("joints")) {
+            EXPECT_NE(joint.at("name"), "");
+            EXPECT_NE(joint.at("from"), joint.at("to"));
+        }
+    }
+    const Outcome table = roversim("relax --max 2 --time 300 " + shipped("solero"));
+    EXPECT_EQ(table.code, 0);
+    EXPECT_THAT(table.out, HasSubstr("Proposal 2"));
+    EXPECT_THAT(table.out, HasSubstr("pin -> ball"));
+}
+
+TEST_F(RoversimTest, RelaxAppliesAProposal) {
+    const auto file = folder_ / "relaxed.rover";
+    const Outcome applied = roversim("relax --max 1 --time 300 --apply 2 --output '" +
+                                     file.string() + "' " + shipped("rocker_bogie"));
+    ASSERT_EQ(applied.code, 0) << applied.err;
+    const Outcome model = roversim("mobility --json --model relaxed '" + file.string() + "'");
+    ASSERT_EQ(model.code, 0) << model.err;
+    EXPECT_EQ(numbers(json::parse(model.out)), (std::array{1, 65, 65, 1, 0}));
+    const Outcome built = roversim("mobility --json --model built '" + file.string() + "'");
+    EXPECT_EQ(numbers(json::parse(built.out)), (std::array{-3, 69, 65, 1, 4}));
+    // It is in RoverStudio's own layout.
+    const auto again = folder_ / "again.rover";
+    ASSERT_EQ(roversim("convert '" + file.string() + "' '" + again.string() + "'").code, 0);
+    EXPECT_EQ(readAll(again), readAll(file));
+}
+
+TEST_F(RoversimTest, RelaxSaysWhenThereIsNothingToDo) {
+    const std::string exact = "'" ROVER_SOURCE_DIR "/assets/mechanisms/stewart_platform.rover'";
+    const Outcome outcome = roversim("relax " + exact);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.out, HasSubstr("Exact as built"));
+    const auto file = folder_ / "out.rover";
+    const Outcome apply = roversim("relax --apply 1 --output '" + file.string() + "' " + exact);
+    EXPECT_EQ(apply.code, 1);
+    EXPECT_THAT(apply.err, HasSubstr("exact as built"));
+    EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST_F(RoversimTest, RelaxEndsWithItsTime) {
+    const Outcome outcome = roversim("relax --json --time 0 " + shipped("solero"));
+    const json found = json::parse(outcome.out);
+    EXPECT_EQ(found.at("ended"), "time");
+    EXPECT_EQ(found.at("complete"), false);
+    EXPECT_EQ(outcome.code, found.at("proposals").empty() ? 1 : 0);
+}
+
+TEST_F(RoversimTest, RelaxRefusesWrongUse) {
+    const std::string file = shipped("rocker_bogie");
+    EXPECT_EQ(roversim("relax").code, 2);
+    EXPECT_EQ(roversim("relax --max 0 " + file).code, 2);
+    EXPECT_EQ(roversim("relax --time -1 " + file).code, 2);
+    const Outcome half = roversim("relax --apply 1 " + file);
+    EXPECT_EQ(half.code, 2);
+    EXPECT_THAT(half.err, HasSubstr("--output"));
+    EXPECT_EQ(roversim("relax --output out.rover " + file).code, 2);
+    const Outcome missing = roversim("relax /nowhere.rover");
+    EXPECT_EQ(missing.code, 1);
+    EXPECT_THAT(missing.err, HasSubstr("nowhere.rover"));
 }
 
 TEST_F(RoversimTest, MobilityShowsBothModelsWithoutModel) {

@@ -40,6 +40,9 @@ constexpr std::array kEntries{
                             "axis, turn x, slide z, slide 1 0 1")},
     Entry{"joint", "relaxed", QT_TRANSLATE_NOOP("fields", "Free, relaxed"), "",
           QT_TRANSLATE_NOOP("fields", "Free directions in the relaxed model; empty = as built")},
+    Entry{
+        "joint", "relaxed_sides", QT_TRANSLATE_NOOP("fields", "Relaxed on"), "",
+        QT_TRANSLATE_NOOP("fields", "Which of the two mirrored joints the relaxed model changes")},
     Entry{"joint", "locked", QT_TRANSLATE_NOOP("fields", "Locked"), "",
           QT_TRANSLATE_NOOP("fields", "A locked joint welds its two bodies")},
     Entry{"joint", "stops", QT_TRANSLATE_NOOP("fields", "Stops"), "deg",
@@ -56,6 +59,8 @@ constexpr std::array kEntries{
           QT_TRANSLATE_NOOP("fields", "Drawn only")},
     Entry{"wheel", "relaxed_lateral", QT_TRANSLATE_NOOP("fields", "Relaxed: free sideways"), "",
           QT_TRANSLATE_NOOP("fields", "The relaxed model lets this contact slide sideways")},
+    Entry{"wheel", "relaxed_sides", QT_TRANSLATE_NOOP("fields", "Relaxed on"), "",
+          QT_TRANSLATE_NOOP("fields", "Which of the two mirrored wheels the relaxed model frees")},
     Entry{"wheel", "steering_motor", QT_TRANSLATE_NOOP("fields", "Steering motor"), "", ""},
     Entry{"wheel", "steering", QT_TRANSLATE_NOOP("fields", "Steering joint"), "",
           QT_TRANSLATE_NOOP("fields", "Upright pin; welded unless the controller steers")},

@@ -129,3 +129,26 @@ TEST(MirrorTest, VariantSetsParametersOfTheWholeRover) {
     EXPECT_DOUBLE_EQ(big.wheels[1].center.y(), -0.3);
     EXPECT_FALSE(project::resolve(project, "huge"));
 }
+
+TEST(RelaxedSidesTest, ConcernOneCopyOfAMirroredElement) {
+    project::Project project = cart();
+    project::Joint& axle = project.rover.joints.at(0);
+    project::Wheel& wheel = project.rover.wheels.at(0);
+    axle.relaxed = {"turn axis", "slide axis"};
+    wheel.relaxedLateral = true;
+    for (const project::Sides sides :
+         {project::Sides::Both, project::Sides::Left, project::Sides::Right}) {
+        axle.relaxedSides = wheel.relaxedSides = sides;
+        const Mechanism m = resolved(project);
+        for (const bool left : {true, false}) {
+            const std::string side = left ? "left" : "right";
+            const bool relaxed =
+                sides == project::Sides::Both || (sides == project::Sides::Left) == left;
+            const auto joint = static_cast<std::size_t>(m.findJoint("axle_" + side));
+            const auto at = static_cast<std::size_t>(m.findWheel("wheel_" + side));
+            EXPECT_EQ(m.joints[joint].relaxed.size(), relaxed ? 2U : 1U) << side;
+            EXPECT_EQ(m.joints[joint].built.size(), 1U) << side;
+            EXPECT_EQ(m.wheels[at].relaxedLateral, relaxed) << side;
+        }
+    }
+}

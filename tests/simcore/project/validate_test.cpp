@@ -63,6 +63,19 @@ std::vector<Mistake> mistakes() {
          "parameter wheel_radius", "above its maximum"},
         {"MinimumAboveMaximum", [](Project& p) { p.rover.parameters[0].minimum = 0.6; },
          "parameter wheel_radius", "minimum is above its maximum"},
+        {"JointRelaxedOnASideItDoesNotHave",
+         [](Project& p) {
+             p.rover.joints[0].mirror = false;
+             p.rover.joints[0].name = "axle_left";
+             p.rover.joints[0].relaxedSides = Sides::Left;
+         },
+         "joint axle_left", "not mirrored"},
+        {"WheelRelaxedOnASideItDoesNotHave",
+         [](Project& p) {
+             p.rover.wheels[0].mirror = false;
+             p.rover.wheels[0].relaxedSides = Sides::Right;
+         },
+         "wheel wheel", "not mirrored"},
         {"GearOfSliders",
          [](Project& p) {
              p.rover.joints[0].free = {"slide y"};

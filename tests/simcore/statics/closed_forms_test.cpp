@@ -112,10 +112,9 @@ TEST(ClosedFormsTest, ABogieUnderALoad) {
         const Study study = studied(bogie, {{"front", a}, {"rear", a}});
         ASSERT_TRUE(study.feasible);
         const double weight = (kLoad + 2.0 * kWheel) * kG;
-        const double difference =
-            (weight * std::sin(a) * kHeight -
-             2.0 * kWheel * kG * std::sin(a) * (kHeight - kRadius)) /
-            kHalf;
+        const double difference = (weight * std::sin(a) * kHeight -
+                                   2.0 * kWheel * kG * std::sin(a) * (kHeight - kRadius)) /
+                                  kHalf;
         EXPECT_NEAR(study.wheels[0].normal + study.wheels[1].normal, weight * std::cos(a), 1e-3);
         EXPECT_NEAR(study.wheels[1].normal - study.wheels[0].normal, difference, 1e-3);
     }
@@ -162,8 +161,8 @@ TEST(ClosedFormsTest, LoadsOverAStepAreThoseOfTheEngine) {
         for (const run::WheelState& wheel : now.wheels) {
             torques.push_back(wheel.torqueApplied);
         }
-        const Traction traction(
-            estimate.model().equilibrium(contacts, ContactSet::All, kG), mechanism, contacts);
+        const Traction traction(estimate.model().equilibrium(contacts, ContactSet::All, kG),
+                                mechanism, contacts);
         const Forces forces = traction.under(torques);
         for (std::size_t w = 0; w < 6; ++w) {
             sums[w] = count == 0 ? 0.0 : sums[w];
