@@ -38,6 +38,8 @@ struct CameraPose {
     Vec3 eye = Vec3(-1.5, -1.5, 1.0);
     Vec3 center = Vec3::Zero();
     Vec3 up = Vec3::UnitZ();
+    /// Without perspective; what is at `center` is as large as with it.
+    bool orthographic = false;
 };
 
 /// Standard views of the rover. Front looks at its front; Side at its right side, so that it drives

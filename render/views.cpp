@@ -76,8 +76,14 @@ void setupCamera(osg::Camera& camera, const CameraPose& pose, int width, int hei
     camera.setViewport(0, 0, width, height);
     camera.setViewMatrixAsLookAt(toOsgDouble(pose.eye), toOsgDouble(pose.center),
                                  toOsgDouble(pose.up));
-    camera.setProjectionMatrixAsPerspective(kFieldOfView, static_cast<double>(width) / height,
-                                            kNear, kFar);
+    const double aspect = static_cast<double>(width) / height;
+    if (pose.orthographic) {
+        const double half = (pose.center - pose.eye).norm() *
+                            std::tan(0.5 * kFieldOfView * std::numbers::pi / 180.0);
+        camera.setProjectionMatrixAsOrtho(-half * aspect, half * aspect, -half, half, kNear, kFar);
+    } else {
+        camera.setProjectionMatrixAsPerspective(kFieldOfView, aspect, kNear, kFar);
+    }
     camera.setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
     camera.setCullingMode(camera.getCullingMode() & ~osg::CullSettings::SMALL_FEATURE_CULLING);
     camera.setClearColor(osg::Vec4(0.5F, 0.5F, 0.5F, 1.0F));

@@ -12,9 +12,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 #include <osgViewer/GraphicsWindow>
 #include <osgViewer/Viewer>
+
+#include "widgets/viewport/drawing_overlay.h"
 
 namespace widgets {
 namespace {
@@ -72,6 +73,7 @@ Viewport::Viewport(std::shared_ptr<render::Scene> scene, QWidget* parent)
     gl_->viewer->setKeyEventSetsDone(0);
     gl_->viewer->setReleaseContextAtEndOfFrameHint(false);
     gl_->viewer->setLightingMode(osg::View::NO_LIGHT);
+    overlay_ = new DrawingOverlay(this);
     camera_ = scene_->view(render::View::Iso, 1.5);
     followed_ = scene_->focus();
 }
@@ -123,6 +125,7 @@ void Viewport::initializeGL() {
 }
 
 void Viewport::resizeGL(int width, int height) {
+    overlay_->setGeometry(0, 0, width, height);
     if (gl_->window == nullptr) {
         return;
     }
@@ -174,7 +177,12 @@ void Viewport::followRover() {
 }
 
 void Viewport::showView(render::View view) {
+    const bool orthographic = camera_.orthographic;
     camera_ = scene_->view(view, aspect());
+    camera_.orthographic = orthographic;
+    if (orthographic && (view == render::View::Front || view == render::View::Side)) {
+        straighten();
+    }
     followed_ = scene_->focus();
     update();
 }
@@ -202,6 +210,18 @@ void Viewport::viewOverview() {
 void Viewport::fit() {
     camera_ = scene_->fitted(camera_, aspect());
     followed_ = scene_->focus();
+    update();
+}
+
+void Viewport::straighten() {
+    Vec3 back = camera_.eye - camera_.center;
+    const double distance = back.norm();
+    back.z() = 0.0;
+    camera_.eye = camera_.center + distance * back.normalized();
+}
+
+void Viewport::setOrthographic(bool on) {
+    camera_.orthographic = on;
     update();
 }
 
@@ -238,28 +258,12 @@ CameraPose orbited(CameraPose camera, double right, double up) {
     return camera;
 }
 
-/// Right and up of the picture.
-std::pair<Vec3, Vec3> pictureAxes(const CameraPose& camera) {
-    const Vec3 ahead = (camera.center - camera.eye).normalized();
-    const Vec3 right = ahead.cross(camera.up).normalized();
-    return {right, right.cross(ahead)};
-}
-
-/// Length at the centre of view that one pixel covers [m].
-double pixelSize(const CameraPose& camera, int height) {
-    const double half = 0.5 * render::kFieldOfView * std::numbers::pi / 180.0;
-    return 2.0 * (camera.eye - camera.center).norm() * std::tan(half) / std::max(height, 1);
-}
-
 }  // namespace
 
 render::Pick Viewport::pickAt(const QPointF& position) const {
-    const auto [right, up] = pictureAxes(camera_);
-    const double pixel = pixelSize(camera_, height());
-    const Vec3 through = camera_.center + (position.x() - 0.5 * width()) * pixel * right -
-                         (position.y() - 0.5 * height()) * pixel * up;
-    const Vec3 way = (through - camera_.eye).normalized();
-    return scene_->pick(camera_.eye, camera_.eye + 100.0 * way, kPickReachPixels * pixel);
+    const Projection picture = projection();
+    const auto [start, way] = picture.rayThrough(position);
+    return scene_->pick(start, start + 100.0 * way, kPickReachPixels * picture.pixelSize());
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
@@ -286,8 +290,9 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
         const double turn = kTurnPerHeight / std::max(height(), 1);
         camera_ = orbited(camera_, move.x() * turn, move.y() * turn);
     } else {
-        const auto [right, up] = pictureAxes(camera_);
-        const Vec3 shift = pixelSize(camera_, height()) * (-move.x() * right + move.y() * up);
+        const Projection picture = projection();
+        const Vec3 shift =
+            picture.pixelSize() * (-move.x() * picture.right() + move.y() * picture.up());
         camera_.eye += shift;
         camera_.center += shift;
     }

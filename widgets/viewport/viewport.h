@@ -5,8 +5,11 @@
 #include <memory>
 
 #include "render/scene.h"
+#include "widgets/viewport/projection.h"
 
 namespace widgets {
+
+class DrawingOverlay;
 
 /// Shows a render::Scene and lets the user look around in it: left drag orbits, middle, right or
 /// shift + left drag pans, the wheel zooms, a double click puts the clicked point in the middle, a
@@ -24,6 +27,11 @@ class Viewport : public QOpenGLWidget {
     const render::CameraPose& camera() const { return camera_; }
 
     bool follows() const { return follow_; }
+
+    Projection projection() const { return {camera_, size()}; }
+
+    /// What is drawn over the picture; owned by the viewport.
+    DrawingOverlay& overlay() { return *overlay_; }
 
     /// The view as it would be shown now; empty when there is no OpenGL.
     QImage grabImage();
@@ -44,6 +52,8 @@ class Viewport : public QOpenGLWidget {
     void fit();
     /// Keeps the rover at its place in the picture while it drives.
     void setFollow(bool follow);
+    /// Without perspective, front, side and top look exactly along an axis, with rulers.
+    void setOrthographic(bool on);
 
   signals:
     void jointPicked(int joint);  ///< index in the mechanism
@@ -63,6 +73,7 @@ class Viewport : public QOpenGLWidget {
   private:
     struct Gl;
     double aspect() const;
+    void straighten();
     void showView(render::View view);
     void followRover();
     render::Pick pickAt(const QPointF& position) const;
@@ -70,6 +81,7 @@ class Viewport : public QOpenGLWidget {
 
     std::shared_ptr<render::Scene> scene_;
     std::unique_ptr<Gl> gl_;
+    DrawingOverlay* overlay_ = nullptr;
     render::CameraPose camera_;
     render::Vec3 followed_ = render::Vec3::Zero();  ///< rover's focus the camera last stood to [m]
     bool follow_ = false;

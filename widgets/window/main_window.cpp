@@ -36,6 +36,7 @@
 #include "widgets/session/run_library.h"
 #include "widgets/session/statics_session.h"
 #include "widgets/window/action_registry.h"
+#include "widgets/window/drag_editor.h"
 #include "widgets/window/file_commands.h"
 #include "widgets/window/icons.h"
 #include "widgets/window/recording_commands.h"
@@ -202,7 +203,8 @@ void MainWindow::makeToolBar() {
     bar->addAction(actions_->at("undo"));
     bar->addAction(actions_->at("redo"));
     bar->addSeparator();
-    for (const char* name : {"fit", "viewIso", "viewFront", "viewSide", "viewTop", "follow"}) {
+    for (const char* name :
+         {"fit", "viewIso", "viewFront", "viewSide", "viewTop", "orthographic", "follow"}) {
         bar->addAction(actions_->at(name));
     }
     auto* overlays = new QToolButton;
@@ -213,6 +215,8 @@ void MainWindow::makeToolBar() {
     overlays->setMenu(overlayMenu_);
     overlays->setObjectName("showButton");
     bar->addWidget(overlays);
+    bar->addSeparator();
+    bar->addAction(actions_->at("moveParts"));
     updateIcons();
 }
 
@@ -327,6 +331,10 @@ void MainWindow::connectParts() {
                  .arg(1e3 * report.loopErrorMax, 0, 'f', 4));
     });
     if (viewport_ != nullptr) {
+        dragEditor_ = new DragEditor(document_, viewport_, this);
+        connect(dragEditor_, &DragEditor::elementChosen, this, &MainWindow::selectElement);
+        connect(link_, &SceneLink::shownChanged, this,
+                [this] { dragEditor_->setDesignShown(link_->showsDrawnPose()); });
         connect(viewport_, &Viewport::jointPicked, this,
                 [this](int joint) { selectJoint(nameAt(link_->mechanism().joints, joint)); });
         connect(viewport_, &Viewport::bodyPicked, this,
@@ -482,6 +490,18 @@ void MainWindow::selectBody(const std::string& body) {
     tree_->select(element);
     properties_->setElement(element);
     editors_->setCurrentWidget(properties_);
+}
+
+void MainWindow::setDragging(bool on) {
+    // Handles belong to the rover as drawn, not as it stands or drives somewhere.
+    link_->keepDrawnPose(on);
+    if (on) {
+        if (session_->state() == State::Playing) {
+            session_->pause();
+        }
+        link_->showDesign();
+    }
+    dragEditor_->setActive(on);
 }
 
 void MainWindow::setOverlay(bool render::Overlays::*overlay, bool on) {

@@ -19,6 +19,7 @@ namespace widgets {
 
 class ActionRegistry;
 class ComparePanel;
+class DragEditor;
 class Experiment;
 class FileCommands;
 class ManualDrive;
@@ -69,6 +70,9 @@ class MainWindow : public QMainWindow {
     MobilityPanel& mobility() { return *mobility_; }
 
     render::Scene& scene() { return *scene_; }
+
+    /// Null without OpenGL.
+    DragEditor* dragEditor() { return dragEditor_; }
 
     /// Null without OpenGL.
     Viewport* viewport() { return viewport_; }
@@ -123,6 +127,7 @@ class MainWindow : public QMainWindow {
     void selectJoint(const std::string& joint);
     void selectBody(const std::string& body);
     void selectInMobility(const std::string& joint);
+    void setDragging(bool on);
     void setOverlay(bool render::Overlays::*overlay, bool on);
     bool prepareRun();
     /// False with critical problems, which it shows.
@@ -146,6 +151,7 @@ class MainWindow : public QMainWindow {
     RecordingCommands* recordings_;
     Viewport* viewport_ = nullptr;
     SceneLink* link_ = nullptr;
+    DragEditor* dragEditor_ = nullptr;
     ManualDrive* drive_ = nullptr;
     PartsTree* tree_ = nullptr;
     ParameterPanel* parameters_ = nullptr;

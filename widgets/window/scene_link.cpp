@@ -75,8 +75,9 @@ void SceneLink::showDesign() {
     const auto& derived = document_->derived();
     showsRun_ = false;
     showGhost();
-    if (standing_) {
+    if (standing_ && !keepsDrawnPose_) {
         showStanding();
+        emit shownChanged();
         return;
     }
     // With critical problems the last good rover stays on show.
@@ -85,6 +86,7 @@ void SceneLink::showDesign() {
     }
     showTerrain();
     redraw();
+    emit shownChanged();
 }
 
 void SceneLink::setStanding(StandingRover standing) {
@@ -128,6 +130,7 @@ void SceneLink::showRun(const simcore::run::Snapshot& snapshot) {
         if (session_->recorded() != nullptr) {
             scene_->setTrail(session_->recording().frames);
         }
+        emit shownChanged();
     }
     scene_->setSnapshot(snapshot);
     showGhost();

@@ -45,6 +45,12 @@ class SceneLink : public QObject {
 
     bool showsRun() const { return showsRun_; }
 
+    /// The rover as drawn, neither in a run nor standing somewhere.
+    bool showsDrawnPose() const { return !showsRun_ && standingShown_ == nullptr; }
+
+    /// Shows the rover as drawn also where it could stand somewhere.
+    void keepDrawnPose(bool keep) { keepsDrawnPose_ = keep; }
+
     /// Shows the design again after looking at a run.
     void showDesign();
 
@@ -54,6 +60,8 @@ class SceneLink : public QObject {
     void leaveStanding();
 
   signals:
+    /// Another kind of thing is on show: the design, a standing rover, a run.
+    void shownChanged();
     /// Why the terrain cannot be shown.
     void problems(const simcore::Problems& problems);
 
@@ -78,6 +86,7 @@ class SceneLink : public QObject {
     QString scenario_;
     simcore::mobility::Model model_ = simcore::mobility::Model::Built;
     bool showsRun_ = false;
+    bool keepsDrawnPose_ = false;
     int ghostShown_ = 0;  ///< id of its run
     std::shared_ptr<const simcore::mechanism::Mechanism> ghostMechanism_;
     std::optional<StandingRover> standing_;

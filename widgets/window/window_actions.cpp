@@ -96,6 +96,21 @@ void MainWindow::makeViewActions() {
     view("viewSide", tr("&Side"), "Ctrl+2", tr("Look at the right side: forward is to the right"),
          &Viewport::viewSide);
     view("viewTop", tr("&Top"), "Ctrl+3", tr("Look down"), &Viewport::viewTop);
+    QAction* orthographic =
+        actions_->add("orthographic", tr("O&rthographic"), {QKeySequence("O")},
+                      tr("Without perspective; front, side and top are to scale, with rulers"));
+    QAction* moveParts = actions_->add(
+        "moveParts", tr("&Move parts"), {QKeySequence("M")},
+        tr("Drag joints, wheels and centres of mass with the mouse. Snaps to 5 mm, not with Ctrl; "
+           "Shift keeps to one axis, Alt makes numbers of expressions, Escape takes it back"));
+    for (QAction* action : {orthographic, moveParts}) {
+        action->setCheckable(true);
+        action->setEnabled(viewport_ != nullptr);
+    }
+    if (viewport_ != nullptr) {
+        connect(orthographic, &QAction::toggled, viewport_, &Viewport::setOrthographic);
+        connect(moveParts, &QAction::toggled, this, &MainWindow::setDragging);
+    }
     QAction* follow = actions_->add("follow", tr("Fo&llow"), {QKeySequence("L")},
                                     tr("Keep the driving rover in view"));
     follow->setCheckable(true);
@@ -223,7 +238,8 @@ void MainWindow::makeMenus() {
     fill(menuBar()->addMenu(tr("&Edit")),
          {"undo", "redo", "", "duplicate", "delete", "", "copyPlots"});
     QMenu* view = menuBar()->addMenu(tr("&View"));
-    fill(view, {"fit", "viewIso", "viewFront", "viewSide", "viewTop", "", "follow"});
+    fill(view, {"fit", "viewIso", "viewFront", "viewSide", "viewTop", "orthographic", "",
+                "moveParts", "follow"});
     view->addMenu(overlayMenu_);
     view->addSeparator();
     view->addMenu(panelMenu_);
