@@ -244,7 +244,7 @@ Result<Project> withWheel(const Project& project) {
     return next;
 }
 
-/// Pins that are no axles, those first that turn about y; then the axles.
+/// Pins that are no axles, then the axles; none that steers.
 std::vector<const Joint*> pinsOf(const Project& project) {
     std::vector<const Joint*> pins;
     std::vector<const Joint*> axles;
@@ -252,10 +252,15 @@ std::vector<const Joint*> pinsOf(const Project& project) {
         if (joint.locked || joint.free.size() != 1 || !joint.free[0].starts_with("turn")) {
             continue;
         }
-        const bool axle = std::any_of(
-            project.rover.wheels.begin(), project.rover.wheels.end(), [&](const Wheel& wheel) {
-                return wheel.axle == joint.name || wheel.steering == joint.name;
-            });
+        bool axle = false;
+        bool steering = false;  // welded where nobody steers
+        for (const Wheel& wheel : project.rover.wheels) {
+            axle = axle || wheel.axle == joint.name;
+            steering = steering || wheel.steering == joint.name;
+        }
+        if (steering) {
+            continue;
+        }
         (axle ? axles : pins).push_back(&joint);
     }
     pins.insert(pins.end(), axles.begin(), axles.end());

@@ -15,6 +15,7 @@
 #include <QTabWidget>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUndoView>
 #include <QVBoxLayout>
 
 #include "simcore/base/version.h"
@@ -22,6 +23,7 @@
 #include "simcore/project/units.h"
 #include "widgets/document/autosave.h"
 #include "widgets/editors/parameter_panel.h"
+#include "widgets/editors/parts_panel.h"
 #include "widgets/editors/parts_tree.h"
 #include "widgets/editors/property_panel.h"
 #include "widgets/panels/mass_panel.h"
@@ -128,11 +130,18 @@ void MainWindow::makeDocks() {
         add(Qt::RightDockWidgetArea, tr("Statics"), "staticsDock", new StaticsPanel(statics_));
     QDockWidget* mass = add(Qt::RightDockWidgetArea, tr("Mass"), "massDock", mass_);
     problemsDock_ = add(Qt::RightDockWidgetArea, tr("Problems"), "problemsDock", problems_);
+    auto* steps = new QUndoView(&document_->undoStack());
+    steps->setEmptyLabel(tr("As opened"));
+    steps->setAccessibleName(tr("Steps that can be undone"));
+    steps->setFrameShape(QFrame::NoFrame);
+    QDockWidget* history = add(Qt::RightDockWidgetArea, tr("History"), "historyDock", steps);
     tabifyDockWidget(mobilityDock_, staticsDock_);
     tabifyDockWidget(staticsDock_, mass);
     tabifyDockWidget(mass, problemsDock_);
+    tabifyDockWidget(problemsDock_, history);
     mobilityDock_->raise();
-    for (QDockWidget* dock : {mobilityDock_, staticsDock_, mass, problemsDock_}) {
+    history->hide();
+    for (QDockWidget* dock : {mobilityDock_, staticsDock_, mass, problemsDock_, history}) {
         // The tab says what the title would, and a panel's height is dear.
         dock->setTitleBarWidget(new QWidget(dock));
     }
@@ -157,13 +166,23 @@ void MainWindow::makeDocks() {
         centralWidget()->addAction(action);
     }
     panelMenu_ = new QMenu(tr("&Panels"), this);
-    for (QDockWidget* dock : {rover, mobilityDock_, staticsDock_, mass, problemsDock_, runDock}) {
+    for (QDockWidget* dock :
+         {rover, mobilityDock_, staticsDock_, mass, problemsDock_, history, runDock}) {
         panelMenu_->addAction(dock->toggleViewAction());
     }
 }
 
 QWidget* MainWindow::makeLeftPanel() {
     tree_ = new PartsTree(document_);
+    std::vector<QAction*> partActions;
+    for (const char* name : {"cut", "copy", "paste", "duplicate", "delete", "", "rename", "mirror",
+                             "split", "moveUp", "moveDown", ""}) {
+        partActions.push_back(*name == '\0' ? nullptr : actions_->at(name));
+    }
+    addMenu_ = makeAddMenu();
+    partActions.push_back(addMenu_->menuAction());
+    tree_->setMenuActions(partActions);
+    parts_ = new PartsPanel(tree_, addMenu_);
     parameters_ = new ParameterPanel(document_);
     properties_ = new PropertyPanel(document_);
     editors_ = new QTabWidget;
@@ -172,11 +191,11 @@ QWidget* MainWindow::makeLeftPanel() {
     editors_->addTab(parameters_, tr("Parameters"));
     editors_->addTab(properties_, tr("Properties"));
     auto* splitter = new QSplitter(Qt::Vertical);
-    splitter->addWidget(tree_);
+    splitter->addWidget(parts_);
     splitter->addWidget(editors_);
     splitter->setStretchFactor(0, 2);
     splitter->setStretchFactor(1, 3);
-    splitter->setSizes({280, 420});
+    splitter->setSizes({320, 400});
     splitter->setChildrenCollapsible(false);
     return splitter;
 }
@@ -246,6 +265,7 @@ void MainWindow::connectParts() {
 
     connect(tree_, &PartsTree::elementSelected, this, &MainWindow::selectElement);
     connect(tree_, &PartsTree::refused, this, &MainWindow::tell);
+    connect(tree_, &PartsTree::message, this, &MainWindow::tell);
     connect(properties_, &PropertyPanel::refused, this, &MainWindow::tell);
     connect(problems_, &ProblemsPanel::elementChosen, this, &MainWindow::selectElement);
     connect(problems_, &ProblemsPanel::countChanged, this, &MainWindow::updateStatus);
@@ -394,8 +414,12 @@ void MainWindow::tell(const QString& message) {
 }
 
 void MainWindow::selectElement(ElementRef element) {
-    tree_->select(element);
-    if (element.kind == ElementKind::Parameter) {
+    const bool fromTree = sender() == tree_;
+    if (!fromTree) {
+        tree_->select(element);
+    }
+    if (element.kind == ElementKind::Parameter && !fromTree) {
+        // Its value is what a problem is about.
         editors_->setCurrentWidget(parameters_);
         if (element.index >= 0) {
             parameters_->focusParameter(

@@ -23,6 +23,7 @@ class ManualDrive;
 class MassPanel;
 class MobilityPanel;
 class ParameterPanel;
+class PartsPanel;
 class PartsTree;
 class PlotPanel;
 class ProblemsPanel;
@@ -71,8 +72,8 @@ class MainWindow : public QMainWindow {
     /// was not opened; says why.
     bool open(const QString& file);
     void setDark(bool dark);
-    /// Brings a panel to the front: "rover", "mobility", "statics", "mass", "problems" or "run".
-    /// False when there is no such panel.
+    /// Brings a panel to the front: "rover", "mobility", "statics", "mass", "problems", "history"
+    /// or "run". False when there is no such panel.
     bool showPanel(const QString& name);
     /// Window size, panels and theme as the user left them.
     void restoreLayout();
@@ -85,10 +86,13 @@ class MainWindow : public QMainWindow {
 
   private:
     /// Of saved arrangements of the panels.
-    static constexpr int kLayoutVersion = 2;
+    static constexpr int kLayoutVersion = 3;
 
     void makeActions();
     void makeFileActions();
+    void makePartActions();
+    /// "addBody" and so on, one for every kind of part.
+    QMenu* makeAddMenu();
     void makeViewActions();
     void makeRunActions();
     void makeDocks();
@@ -130,6 +134,7 @@ class MainWindow : public QMainWindow {
     SceneLink* link_ = nullptr;
     ManualDrive* drive_ = nullptr;
     PartsTree* tree_ = nullptr;
+    PartsPanel* parts_ = nullptr;
     ParameterPanel* parameters_ = nullptr;
     PropertyPanel* properties_ = nullptr;
     QTabWidget* editors_ = nullptr;
@@ -144,6 +149,7 @@ class MainWindow : public QMainWindow {
     QMenu* recentMenu_ = nullptr;
     QMenu* overlayMenu_ = nullptr;
     QMenu* panelMenu_ = nullptr;
+    QMenu* addMenu_ = nullptr;
     QLabel* mobilityStatus_ = nullptr;
     QLabel* massStatus_ = nullptr;
     QToolButton* problemStatus_ = nullptr;
