@@ -163,7 +163,8 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember({"dark", "light"}));
     commands.add_option("--scenario", options.scenario, "scenario to choose");
     commands.add_option("--panel", options.panel, "panel to bring to the front")
-        ->check(CLI::IsMember({"rover", "mobility", "statics", "mass", "problems", "run"}));
+        ->check(
+            CLI::IsMember({"rover", "mobility", "statics", "mass", "problems", "history", "run"}));
     commands
         .add_option("--run-for", options.runFor,
                     "with --screenshot: drive this long first [s of simulated time]")

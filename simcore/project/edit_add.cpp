@@ -286,33 +286,56 @@ Result<Project> withSpring(const Project& project) {
                    "Add a joint with one free turn first.");
 }
 
-Result<Project> withGear(const Project& project) {
-    std::vector<std::string> names;
-    for (const Joint* pin : pinsOf(project)) {
-        for (const Side side : {Side::Left, Side::Right}) {
-            if (pin->mirror) {
-                names.push_back(nameOnSide(pin->name, side));
-            } else if (side == Side::Left) {
-                names.push_back(pin->name);
+/// One pin of the resolved rover.
+struct Pin {
+    std::string name;
+    std::set<std::string> bodies;  ///< the two it joins
+};
+
+std::vector<Pin> pinsOnSides(const Project& project) {
+    const std::set<std::string> known = namesOnSides(project, ElementKind::Body);
+    std::vector<Pin> pins;
+    for (const Joint* joint : pinsOf(project)) {
+        const auto sides =
+            joint->mirror ? std::vector{Side::Left, Side::Right} : std::vector{Side::Center};
+        for (const Side side : sides) {
+            Pin pin{nameOnSide(joint->name, side), {}};
+            for (const std::string& body : {joint->first, joint->second}) {
+                const std::string own = nameOnSide(body, side);
+                pin.bodies.insert(known.contains(own) ? own : body);
             }
+            pins.push_back(std::move(pin));
         }
     }
+    return pins;
+}
+
+/// Between the first two pins that turn in one body and are not geared yet.
+Result<Project> withGear(const Project& project) {
     std::set<std::string> geared;
     for (const Gear& gear : project.rover.gears) {
         geared.insert({gear.firstJoint, gear.secondJoint});
     }
-    std::erase_if(names, [&](const std::string& name) { return geared.contains(name); });
-    if (names.size() < 2) {
-        return missing(ElementKind::Gear, "there are no two pins left for it to connect.",
-                       "Add joints with one free turn first.");
+    std::vector<Pin> pins = pinsOnSides(project);
+    std::erase_if(pins, [&](const Pin& pin) { return geared.contains(pin.name); });
+    for (std::size_t a = 0; a < pins.size(); ++a) {
+        for (std::size_t b = a + 1; b < pins.size(); ++b) {
+            const bool common =
+                std::any_of(pins[a].bodies.begin(), pins[a].bodies.end(),
+                            [&](const std::string& body) { return pins[b].bodies.contains(body); });
+            if (common) {
+                Project next = project;
+                Gear gear;
+                gear.name = newName(project, ElementKind::Gear, "differential", false);
+                gear.firstJoint = pins[a].name;
+                gear.secondJoint = pins[b].name;
+                next.rover.gears.push_back(gear);
+                return next;
+            }
+        }
     }
-    Project next = project;
-    Gear gear;
-    gear.name = newName(project, ElementKind::Gear, "differential", false);
-    gear.firstJoint = names[0];
-    gear.secondJoint = names[1];
-    next.rover.gears.push_back(gear);
-    return next;
+    return missing(ElementKind::Gear, "there are no two pins in one body left for it to connect.",
+                   "Add joints with one free turn first.");
 }
 
 Result<Project> withPayload(const Project& project) {

@@ -7,6 +7,7 @@
 
 #include "simcore/mobility/mobility.h"
 #include "simcore/project/edit.h"
+#include "simcore/run/simulation.h"
 #include "tests/support/projects.h"
 
 using namespace simcore;
@@ -133,8 +134,9 @@ void expectSameMechanism(const mechanism::Mechanism& a, const mechanism::Mechani
     }
 }
 
+/// What would keep the rover from being analysed or driven.
 std::size_t criticals(const Project& project) {
-    const Problems problems = validate(project);
+    const Problems problems = run::checkProject(project);
     return static_cast<std::size_t>(std::count_if(
         problems.begin(), problems.end(),
         [](const Problem& problem) { return problem.severity == Severity::Critical; }));
@@ -151,13 +153,13 @@ TEST_P(ShippedPartsTest, EveryKindCanBeAddedAndIsValidAtOnce) {
         ASSERT_TRUE(next) << wordFor(kind) << ": " << toString(next.problems());
         EXPECT_EQ(countOf(*next, kind), countOf(before, kind) + 1) << wordFor(kind);
         EXPECT_EQ(criticals(*next), 0U)
-            << wordFor(kind) << ": " << toString(validate(*next).front());
+            << wordFor(kind) << ": " << toString(run::checkProject(*next));
         EXPECT_EQ(appended(before, *next).empty(), false);
         // A second one has a name of its own.
         const auto more = added(*next, kind);
         ASSERT_TRUE(more) << wordFor(kind) << ": " << toString(more.problems());
         EXPECT_EQ(criticals(*more), 0U)
-            << wordFor(kind) << ": " << toString(validate(*more).front());
+            << wordFor(kind) << ": " << toString(run::checkProject(*more));
         // Taken away together, nothing is left of it.
         EXPECT_EQ(must(removed(*more, appended(before, *more))), before) << wordFor(kind);
     }
