@@ -173,8 +173,14 @@ void RoverSketch::paintEvent(QPaintEvent* /*event*/) {
         return;
     }
     QPainter painter(this);
-    painter.setOpacity(known_ ? 1.0 : 0.4);
-    draw(painter, *mechanism_, QRectF(rect()).adjusted(12, 8, -12, -10), palette());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.drawRoundedRect(rect(), 4.0, 4.0);
+    // As a whole, so that what lies behind does not shine through when it is pale.
+    painter.setOpacity(known_ ? 1.0 : 0.35);
+    painter.drawPixmap(
+        12, 8, picture(*mechanism_, size() - QSize(24, 16), palette(), devicePixelRatioF()));
 }
 
 }  // namespace widgets

@@ -13,6 +13,7 @@
 #include <QStatusBar>
 #include <QSysInfo>
 #include <QTabWidget>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <QUndoView>
@@ -134,6 +135,7 @@ void MainWindow::makeDocks() {
     steps->setEmptyLabel(tr("As opened"));
     steps->setAccessibleName(tr("Steps that can be undone"));
     steps->setFrameShape(QFrame::NoFrame);
+    steps->setSpacing(2);
     QDockWidget* history = add(Qt::RightDockWidgetArea, tr("History"), "historyDock", steps);
     tabifyDockWidget(mobilityDock_, staticsDock_);
     tabifyDockWidget(staticsDock_, mass);
@@ -372,8 +374,13 @@ bool MainWindow::showPanel(const QString& name) {
     if (dock == nullptr) {
         return false;
     }
+    const bool hidden = dock->isHidden();
     dock->show();
     dock->raise();
+    if (hidden) {
+        // A tab that comes back is made by the layout, later.
+        QTimer::singleShot(0, dock, [dock] { dock->raise(); });
+    }
     return true;
 }
 

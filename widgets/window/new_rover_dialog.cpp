@@ -7,6 +7,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "simcore/io/project_file.h"
 #include "simcore/project/templates.h"
@@ -45,7 +46,7 @@ NewRoverDialog::NewRoverDialog(QWidget* parent)
       list_(new QListWidget),
       description_(new QLabel),
       sketch_(new RoverSketch),
-      form_(new QFormLayout),
+      dimensions_(new QWidget),
       summary_(new QLabel),
       problem_(new QLabel),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Cancel)) {
@@ -64,8 +65,18 @@ NewRoverDialog::NewRoverDialog(QWidget* parent)
         auto* item = new QListWidgetItem(QString::fromStdString(project->rover.name), list_);
         item->setData(Qt::UserRole, QString::fromStdString(file.stem().string()));
         if (const auto mechanism = simcore::project::resolve(*project)) {
-            item->setIcon(
+            // On the selection's colour, it is drawn in that of its text.
+            QPalette chosen = palette();
+            for (const auto role : {QPalette::WindowText, QPalette::Highlight}) {
+                chosen.setColor(role, palette().color(QPalette::HighlightedText));
+            }
+            chosen.setColor(QPalette::Base, palette().color(QPalette::Highlight));
+            QIcon icon;
+            icon.addPixmap(
                 RoverSketch::picture(*mechanism, kPicture, palette(), devicePixelRatioF()));
+            icon.addPixmap(RoverSketch::picture(*mechanism, kPicture, chosen, devicePixelRatioF()),
+                           QIcon::Selected);
+            item->setIcon(icon);
         }
         templates_.push_back(std::move(project).value());
     }
@@ -84,13 +95,12 @@ NewRoverDialog::NewRoverDialog(QWidget* parent)
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
-    form_->setHorizontalSpacing(12);
-    form_->setVerticalSpacing(6);
     auto* right = new QVBoxLayout;
     right->setSpacing(10);
+    right_ = right;
     right->addWidget(description_);
     right->addWidget(sketch_, 1);
-    right->addLayout(form_);
+    right->addWidget(dimensions_);
     right->addWidget(summary_);
     right->addWidget(problem_);
     auto* columns = new QHBoxLayout;
@@ -106,7 +116,8 @@ NewRoverDialog::NewRoverDialog(QWidget* parent)
 
     connect(list_, &QListWidget::currentRowChanged, this, &NewRoverDialog::choose);
     connect(&draft_, &Document::changed, this, &NewRoverDialog::update);
-    list_->setCurrentRow(0);
+    // The first is the empty one, for which nobody comes here.
+    list_->setCurrentRow(std::min(1, list_->count() - 1));
 }
 
 void NewRoverDialog::choose(int row) {
@@ -120,9 +131,11 @@ void NewRoverDialog::choose(int row) {
 }
 
 void NewRoverDialog::makeFields() {
-    while (form_->rowCount() > 0) {
-        form_->removeRow(0);
-    }
+    auto* dimensions = new QWidget;
+    auto* form = new QFormLayout(dimensions);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setHorizontalSpacing(12);
+    form->setVerticalSpacing(6);
     for (const int place : mainDimensions(draft_.project())) {
         const Parameter& parameter =
             draft_.project().rover.parameters[static_cast<std::size_t>(place)];
@@ -153,8 +166,12 @@ void NewRoverDialog::makeFields() {
         row->addWidget(range, 1);
         auto* label = new QLabel(labelOf(parameter.name));
         label->setBuddy(field);
-        form_->addRow(label, row);
+        form->addRow(label, row);
     }
+    delete right_->replaceWidget(dimensions_, dimensions);
+    delete dimensions_;
+    dimensions_ = dimensions;
+    dimensions_->show();
 }
 
 Problems NewRoverDialog::setDimension(int place, const Quantity& value) {

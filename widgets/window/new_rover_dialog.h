@@ -7,9 +7,9 @@
 #include "widgets/document/document.h"
 
 class QDialogButtonBox;
-class QFormLayout;
 class QLabel;
 class QListWidget;
+class QVBoxLayout;
 
 namespace widgets {
 
@@ -36,7 +36,8 @@ class NewRoverDialog : public QDialog {
     QListWidget* list_;
     QLabel* description_;
     RoverSketch* sketch_;
-    QFormLayout* form_;
+    QWidget* dimensions_;
+    QVBoxLayout* right_ = nullptr;
     QLabel* summary_;
     QLabel* problem_;
     QDialogButtonBox* buttons_;
