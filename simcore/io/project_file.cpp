@@ -466,6 +466,7 @@ std::vector<std::filesystem::path> templateFiles() {
     }
     std::sort(found.begin(), found.end());
     std::vector<std::filesystem::path> files;
+    files.reserve(found.size());
     for (auto& [bodies, file] : found) {
         files.push_back(std::move(file));
     }

@@ -122,7 +122,7 @@ std::string freeName(const Project& project, ElementKind kind, const std::string
     const std::set<std::string> bases = namesOf(project, kind);
     const std::set<std::string> sides = namesOnSides(project, kind);
     for (int number = 2;; ++number) {
-        const std::string next = fmt::format("{}_{}", name, number);
+        std::string next = fmt::format("{}_{}", name, number);
         const bool taken = bases.contains(next) || sides.contains(next) ||
                            (mirrored && (sides.contains(nameOnSide(next, Side::Left)) ||
                                          sides.contains(nameOnSide(next, Side::Right))));

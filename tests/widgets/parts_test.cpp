@@ -94,6 +94,26 @@ class PartsTest : public testsupport::StudioTest {
         EXPECT_TRUE(waitUntil([button] { return !button->menu()->isVisible(); }));
     }
 
+    /// Drags an item onto the upper half of another one.
+    void drag(QTreeWidgetItem* from, QTreeWidgetItem* to) {
+        QWidget* view = tree->viewport();
+        const QPoint start = tree->visualItemRect(from).center();
+        const QRect row = tree->visualItemRect(to);
+        const QPoint end(row.center().x(), row.top() + 2);
+        // The drag has an event loop of its own.
+        QTimer::singleShot(200, view, [view, end] {
+            QTest::mouseMove(view, end + QPoint(3, 0));
+            QTest::qWait(100);
+            QTest::mouseMove(view, end);
+            QTest::qWait(100);
+            QTest::mouseRelease(view, Qt::LeftButton, {}, end);
+        });
+        QTest::mousePress(view, Qt::LeftButton, {}, start);
+        QTest::mouseMove(view, start + QPoint(4, 4));
+        QTest::mouseMove(view, start + QPoint(20, 4));
+        QTest::qWait(500);
+    }
+
     QString undoText() { return window->document().undoStack().undoText(); }
 
     void undoAll() {
@@ -221,6 +241,19 @@ TEST_F(PartsTest, PartsMoveInTheirListByKeysAndTheChassisStaysFirst) {
     EXPECT_EQ(text(), first);
 }
 
+TEST_F(PartsTest, DraggingMovesAPartWithinItsKindOnly) {
+    click("Scenarios", "flat");
+    ASSERT_EQ(project().scenarios.back().name, "flat");
+    drag(item("Scenarios", "flat"), item("Scenarios", "step"));
+    EXPECT_EQ(project().scenarios[1].name, "flat");
+    EXPECT_EQ(project().scenarios[2].name, "step");
+    EXPECT_EQ(undoText(), "Move flat");
+    press(Qt::Key_Z, Qt::ControlModifier);
+    click("Scenarios", "flat");
+    drag(item("Scenarios", "flat"), item("Wheels", "{side}_rear"));
+    EXPECT_EQ(text(), first);
+}
+
 TEST_F(PartsTest, SearchShowsMatchingPartsOnly) {
     press(Qt::Key_F, Qt::ControlModifier);
     auto* search = find<QLineEdit>("searchParts");
@@ -243,7 +276,6 @@ TEST_F(PartsTest, HistoryNamesTheStepsAndGoesBackToAny) {
     auto* steps = find<QDockWidget>("historyDock")->findChild<QUndoView*>();
     ASSERT_NE(steps, nullptr);
     EXPECT_TRUE(waitUntil([steps] { return steps->isVisible(); }));
-    QTest::qWait(200);
     ASSERT_EQ(steps->model()->rowCount(), 3);
     EXPECT_EQ(steps->model()->index(1, 0).data().toString(), "Change wheel_radius");
     EXPECT_EQ(steps->model()->index(2, 0).data().toString(), "Add payload");
@@ -284,72 +316,66 @@ TEST_F(PartsTest, WizardMakesARockerBogieWithTheExpectedMobility) {
         EXPECT_TRUE(problem->text().isEmpty());
         EXPECT_THAT(dialog->findChild<QLabel*>("summary")->text().toStdString(),
                     testing::HasSubstr("Mobility 1"));
-        dialog->grab().save("/tmp/w1.png");
-        for (auto* f : dialog->findChildren<QuantityField*>()) {
-            const QRect g = f->geometry();
-            std::cout << f->isVisible() << " " << f->isHidden() << " " << g.x() << " " << g.y()
-                      << " " << g.width() << " " << g.height() << " "
-                      << f->parentWidget()->objectName().toStdString() << "\n";
-            QTest::mouseClick(create, Qt::LeftButton);
-        });
-        press(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
-        EXPECT_EQ(project().rover.name, "Rocker-bogie");
-        EXPECT_TRUE(window->document().file().isEmpty());
-        EXPECT_DOUBLE_EQ(parameterValue("wheelbase"), 0.8);
-        const QStringList expected{QChar(0x2212) + QString("3"), "11, 17", "69", "65", "+1", "4"};
-        for (int row = 0; row < expected.size(); ++row) {
-            QString cell = find<QLabel>(QString("mobility:%1:0").arg(row))->text();
-            EXPECT_EQ(cell.remove("<b>").remove("</b>").toStdString(), expected[row].toStdString())
-                << row;
-        }
+        QTest::mouseClick(create, Qt::LeftButton);
+    });
+    press(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(project().rover.name, "Rocker-bogie");
+    EXPECT_TRUE(window->document().file().isEmpty());
+    EXPECT_DOUBLE_EQ(parameterValue("wheelbase"), 0.8);
+    const QStringList expected{QChar(0x2212) + QString("3"), "11, 17", "69", "65", "+1", "4"};
+    for (int row = 0; row < expected.size(); ++row) {
+        QString cell = find<QLabel>(QString("mobility:%1:0").arg(row))->text();
+        EXPECT_EQ(cell.remove("<b>").remove("</b>").toStdString(), expected[row].toStdString())
+            << row;
+    }
 }
 
 TEST_F(PartsTest, WizardCanBeLeftWithoutAChange) {
-        onNext<widgets::NewRoverDialog>([](widgets::NewRoverDialog* dialog) {
-            EXPECT_FALSE(dialog->findChild<QListWidget*>("topology")->accessibleName().isEmpty());
-            for (QLineEdit* line : dialog->findChildren<QLineEdit*>()) {
-                EXPECT_FALSE(line->accessibleName().isEmpty());
-            }
-            QTest::keyClick(dialog, Qt::Key_Escape);
-        });
-        press(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
-        EXPECT_EQ(text(), first);
+    onNext<widgets::NewRoverDialog>([](widgets::NewRoverDialog* dialog) {
+        EXPECT_FALSE(dialog->findChild<QListWidget*>("topology")->accessibleName().isEmpty());
+        for (QLineEdit* line : dialog->findChildren<QLineEdit*>()) {
+            EXPECT_FALSE(line->accessibleName().isEmpty());
+        }
+        QTest::keyClick(dialog, Qt::Key_Escape);
+    });
+    press(Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(text(), first);
 }
 
 TEST_F(PartsTest, ShapesAndVariantsAreEditedInTheProperties) {
-        click("Bodies", "bogie");
-        auto* panel = window->findChild<widgets::PropertyPanel*>();
-        const auto shapes = [this] { return project().rover.bodies[2].shapes.size(); };
-        const std::size_t before = shapes();
-        ASSERT_EQ(project().rover.bodies[2].name, "bogie");
-        auto* add = panel->findChild<QPushButton*>("add:shapes");
-        ASSERT_NE(add, nullptr);
-        panel->ensureWidgetVisible(add);
-        QTest::mouseClick(add, Qt::LeftButton);
-        EXPECT_EQ(shapes(), before + 1);
-        EXPECT_TRUE(window->document().derived().mechanism.has_value());
-        undoAll();
-        addByMenu("Variant");
-        auto* set = panel->findChild<QComboBox*>("add:set");
-        ASSERT_NE(set, nullptr);
-        const int at = set->findText("wheel_radius");
-        ASSERT_GT(at, 0);
-        EXPECT_EQ(set->findText("arm_y"), -1);  // derived: it cannot be set
-        set->setCurrentIndex(at);
-        emit set->activated(at);
-        ASSERT_EQ(project().variants.size(), 1U);
-        ASSERT_EQ(project().variants[0].set.size(), 1U);
-        EXPECT_EQ(project().variants[0].set[0].parameter, "wheel_radius");
-        undoAll();
+    click("Bodies", "bogie");
+    auto* panel = window->findChild<widgets::PropertyPanel*>();
+    const auto shapes = [this] { return project().rover.bodies[2].shapes.size(); };
+    const std::size_t before = shapes();
+    ASSERT_EQ(project().rover.bodies[2].name, "bogie");
+    auto* add = panel->findChild<QPushButton*>("add:shapes");
+    ASSERT_NE(add, nullptr);
+    panel->ensureWidgetVisible(add);
+    QTest::mouseClick(add, Qt::LeftButton);
+    EXPECT_EQ(shapes(), before + 1);
+    EXPECT_TRUE(window->document().derived().mechanism.has_value());
+    undoAll();
+    addByMenu("Variant");
+    auto* set = panel->findChild<QComboBox*>("add:set");
+    ASSERT_NE(set, nullptr);
+    const int at = set->findText("wheel_radius");
+    ASSERT_GT(at, 0);
+    EXPECT_EQ(set->findText("arm_y"), -1);  // derived: it cannot be set
+    set->setCurrentIndex(at);
+    emit set->activated(at);
+    ASSERT_EQ(project().variants.size(), 1U);
+    ASSERT_EQ(project().variants[0].set.size(), 1U);
+    EXPECT_EQ(project().variants[0].set[0].parameter, "wheel_radius");
+    undoAll();
 }
 
 TEST_F(PartsTest, MirrorBoxIsRefusedWhileTheRightOneIsUsed) {
-        click("Joints", "rocker_pivot");
-        auto* mirror =
-            window->findChild<widgets::PropertyPanel*>()->findChild<QCheckBox*>("property:mirror");
-        ASSERT_NE(mirror, nullptr);
-        ASSERT_TRUE(mirror->isChecked());
-        mirror->click();  // the differential needs rocker_pivot_right
-        EXPECT_TRUE(mirror->isChecked());
-        EXPECT_EQ(text(), first);
+    click("Joints", "rocker_pivot");
+    auto* mirror =
+        window->findChild<widgets::PropertyPanel*>()->findChild<QCheckBox*>("property:mirror");
+    ASSERT_NE(mirror, nullptr);
+    ASSERT_TRUE(mirror->isChecked());
+    mirror->click();  // the differential needs rocker_pivot_right
+    EXPECT_TRUE(mirror->isChecked());
+    EXPECT_EQ(text(), first);
 }

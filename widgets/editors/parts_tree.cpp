@@ -1,9 +1,11 @@
 #include "widgets/editors/parts_tree.h"
 
 #include <QContextMenuEvent>
+#include <QDrag>
 #include <QDropEvent>
 #include <QHeaderView>
 #include <QMenu>
+#include <QMimeData>
 #include <algorithm>
 #include <set>
 
@@ -528,10 +530,15 @@ void PartsTree::dragMoveEvent(QDragMoveEvent* event) {
     dropPlace(event) < 0 ? event->ignore() : event->accept();
 }
 
+void PartsTree::startDrag(Qt::DropActions /*actions*/) {
+    // Not the view's own: that takes the items away, but it is the project that moves its parts.
+    auto* drag = new QDrag(this);
+    drag->setMimeData(model()->mimeData(selectedIndexes()));
+    drag->exec(Qt::MoveAction);
+}
+
 void PartsTree::dropEvent(QDropEvent* event) {
     const int place = dropPlace(event);
-    // The view must not take its items away: the project moves them.
-    event->setDropAction(Qt::CopyAction);
     if (place < 0) {
         event->ignore();
         return;

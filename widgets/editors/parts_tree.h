@@ -60,6 +60,7 @@ class PartsTree : public QTreeWidget {
     void contextMenuEvent(QContextMenuEvent* event) override;
     void dragMoveEvent(QDragMoveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void startDrag(Qt::DropActions actions) override;
 
   private:
     void refresh();
