@@ -324,7 +324,7 @@ bool PartsTree::apply(const QString& text, const simcore::Result<Project>& next)
     return true;
 }
 
-void PartsTree::selectAll(const std::vector<ElementRef>& elements) {
+void PartsTree::selectThese(const std::vector<ElementRef>& elements) {
     if (elements.empty()) {
         return;
     }
@@ -356,7 +356,7 @@ void PartsTree::selectAppended(const Project& before, ElementRef current) {
             break;
         }
     }
-    selectAll(fresh);
+    selectThese(fresh);
     if (!fresh.empty()) {
         emit elementSelected(fresh.front());
     }
@@ -463,6 +463,7 @@ void PartsTree::moveTo(const std::vector<ElementRef>& elements, int place) {
     const QString text = tr("Move %1").arg(titleOf(elements));
     simcore::Result<Project> next = document_->project();
     std::vector<ElementRef> now;
+    now.reserve(elements.size());
     int before = 0;
     int behind = 0;
     for (const ElementRef element : elements) {
@@ -482,7 +483,7 @@ void PartsTree::moveTo(const std::vector<ElementRef>& elements, int place) {
     for (int i = 0; i < static_cast<int>(elements.size()); ++i) {
         now.push_back({elements.front().kind, place - before + i});
     }
-    selectAll(now);
+    selectThese(now);
     emit elementSelected(now.front());
     const auto& bodies = document_->project().rover.bodies;
     if (chassisBefore && bodies.front().name != chassis) {

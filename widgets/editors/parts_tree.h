@@ -71,7 +71,7 @@ class PartsTree : public QTreeWidget {
     QString titleOf(const std::vector<simcore::project::ElementRef>& elements) const;
     /// Makes it the project, or says why not.
     bool apply(const QString& text, const simcore::Result<simcore::project::Project>& next);
-    void selectAll(const std::vector<simcore::project::ElementRef>& elements);
+    void selectThese(const std::vector<simcore::project::ElementRef>& elements);
     void selectAppended(const simcore::project::Project& before,
                         simcore::project::ElementRef current = {});
     /// Where a drop would put what is dragged; -1 = nowhere.
