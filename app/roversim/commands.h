@@ -19,6 +19,7 @@ inline constexpr int kGood = 0;
 inline constexpr int kAnswerIsNo = 1;
 inline constexpr int kWrongUse = 2;
 
+void addNewCommand(CLI::App& app, int& exitCode);
 void addMobilityCommand(CLI::App& app, int& exitCode);
 void addValidateCommand(CLI::App& app, int& exitCode);
 void addConvertCommand(CLI::App& app, int& exitCode);

@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.failure_message(CLI::FailureMessage::simple);
     int exitCode = roversim::kGood;
+    roversim::addNewCommand(app, exitCode);
     roversim::addMobilityCommand(app, exitCode);
     roversim::addRelaxCommand(app, exitCode);
     roversim::addValidateCommand(app, exitCode);

@@ -1,5 +1,6 @@
 #include "simcore/io/project_file.h"
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -22,6 +23,7 @@ using ReadJson = nlohmann::json;
 using project::Quantity;
 
 constexpr const char* kFormat = "roverstudio-project";
+constexpr const char* kPartsFormat = "roverstudio-parts";
 constexpr int kVersion = 1;
 // A project nests about ten levels; this only keeps hostile files from filling the stack, since
 // JSON is written recursively.
@@ -308,14 +310,10 @@ ReadJson parseJson(std::string_view text, Reader& reader) {
     return ReadJson::parse(text, callback);
 }
 
-}  // namespace
-
-Result<project::Project> parseProject(std::string_view text, const std::string& sourceName) {
-    Problems problems;
-    Reader reader(sourceName, problems);
-    ReadJson json;
+/// The JSON of a text, with line and column where it is none.
+Result<ReadJson> readJson(std::string_view text, const std::string& sourceName, Reader& reader) {
     try {
-        json = parseJson(text, reader);
+        return parseJson(text, reader);
     } catch (const ReadJson::parse_error& error) {
         std::string reason = error.what();
         reason = reason.substr(reason.find("] ") == std::string::npos ? 0 : reason.find("] ") + 2);
@@ -331,6 +329,18 @@ Result<project::Project> parseProject(std::string_view text, const std::string& 
                        std::string("the text cannot be read (") + error.what() + ").",
                        "Correct the file."};
     }
+}
+
+}  // namespace
+
+Result<project::Project> parseProject(std::string_view text, const std::string& sourceName) {
+    Problems problems;
+    Reader reader(sourceName, problems);
+    const auto parsed = readJson(text, sourceName, reader);
+    if (!parsed) {
+        return parsed.problems();
+    }
+    const ReadJson& json = *parsed;
     if (!json.is_object() || !json.contains("format") || json["format"] != kFormat) {
         return Problem{Severity::Critical, sourceName, "this is not a RoverStudio project.",
                        fmt::format("A project has \"format\": \"{}\".", kFormat)};
@@ -381,17 +391,86 @@ Result<bool> saveProject(const project::Project& project, const std::filesystem:
     return writeFileAtomically(file, formatProject(project));
 }
 
-std::filesystem::path examplesFolder() {
+std::string formatParts(const project::Parts& parts) {
+    Json json = Json::object();
+    json["format"] = kPartsFormat;
+    json["version"] = kVersion;
+    json["elements"] = toJson(parts.elements);
+    json["needed"] = toJson(parts.needed);
+    return formatJson(json);
+}
+
+Result<project::Parts> parseParts(std::string_view text) {
+    static const std::string kSource = "clipboard";
+    const Problem foreign{Severity::Critical, kSource, "it holds no parts of a rover.",
+                          "Copy parts in RoverStudio first."};
+    Problems problems;
+    Reader reader(kSource, problems);
+    const auto parsed = readJson(text, kSource, reader);
+    if (!parsed || !parsed->is_object() || !parsed->contains("format") ||
+        (*parsed)["format"] != kPartsFormat) {
+        return foreign;
+    }
+    const ReadJson& json = *parsed;
+    if (!json.contains("version") || json["version"] != kVersion || !json.contains("elements") ||
+        !json.contains("needed")) {
+        return Problem{Severity::Critical, kSource, "it holds parts of another version.",
+                       "Copy them with this version of RoverStudio."};
+    }
+    project::Parts parts;
+    reader.read(json["elements"], "elements", parts.elements);
+    reader.read(json["needed"], "needed", parts.needed);
+    if (hasCritical(problems)) {
+        return problems;
+    }
+    return Result<project::Parts>(std::move(parts), std::move(problems));
+}
+
+namespace {
+
+/// A folder of the assets: beside the program, or in the source tree.
+std::filesystem::path assetsFolder(const char* name) {
     namespace fs = std::filesystem;
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    for (const fs::path& candidate : {program.parent_path() / "../share/roverstudio/projects",
-                                      fs::path(ROVER_ASSETS_DIR) / "projects"}) {
+    for (const fs::path& candidate : {program.parent_path() / "../share/roverstudio" / name,
+                                      fs::path(ROVER_ASSETS_DIR) / name}) {
         if (fs::is_directory(candidate, error)) {
             return fs::weakly_canonical(candidate, error);
         }
     }
     return {};
+}
+
+}  // namespace
+
+std::filesystem::path examplesFolder() {
+    return assetsFolder("projects");
+}
+
+std::vector<std::filesystem::path> templateFiles() {
+    std::vector<std::pair<std::size_t, std::filesystem::path>> found;
+    std::error_code error;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(assetsFolder("templates"), error)) {
+        if (entry.path().extension() != ".rover") {
+            continue;
+        }
+        if (const auto project = loadProject(entry.path())) {
+            std::size_t bodies = 0;
+            for (const project::Body& body : project->rover.bodies) {
+                bodies += body.mirror ? 2 : 1;
+            }
+            found.emplace_back(bodies, entry.path());
+        }
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<std::filesystem::path> files;
+    files.reserve(found.size());
+    for (auto& [bodies, file] : found) {
+        files.push_back(std::move(file));
+    }
+    return files;
 }
 
 }  // namespace simcore::io

@@ -10,158 +10,12 @@
 #include <fmt/format.h>
 
 #include "simcore/project/element_names.h"
+#include "simcore/project/element_walk.h"
 #include "simcore/project/expression.h"
-#include "simcore/project/fields.h"
 #include "simcore/project/units.h"
 
 namespace simcore::project {
 namespace {
-
-/// Calls `f` with the list of the kind.
-template <class P, class F>
-decltype(auto) withList(P& project, ElementKind kind, F&& f) {
-    switch (kind) {
-        case ElementKind::Parameter:
-            return f(project.rover.parameters);
-        case ElementKind::Body:
-            return f(project.rover.bodies);
-        case ElementKind::Joint:
-            return f(project.rover.joints);
-        case ElementKind::Wheel:
-            return f(project.rover.wheels);
-        case ElementKind::Spring:
-            return f(project.rover.springs);
-        case ElementKind::Gear:
-            return f(project.rover.gears);
-        case ElementKind::Payload:
-            return f(project.rover.payloads);
-        case ElementKind::Variant:
-            return f(project.variants);
-        case ElementKind::Scenario:
-            break;
-    }
-    return f(project.scenarios);
-}
-
-/// Walks every Quantity below an element through the field table.
-class QuantityWalker {
-  public:
-    explicit QuantityWalker(const std::function<void(Quantity&)>& visit) : visit_(visit) {}
-
-    template <class Element>
-    void walk(Element& element) {
-        Fields<Element> fields{*this, element};
-        describe(fields, static_cast<const Element*>(nullptr));
-    }
-
-  private:
-    template <class Element>
-    struct Fields {
-        QuantityWalker& walker;
-        Element& element;
-
-        template <class Member>
-        void required(const char* /*key*/, Member Element::*member) {
-            walker.value(element.*member);
-        }
-
-        template <class Member>
-        void optional(const char* /*key*/, Member Element::*member) {
-            walker.value(element.*member);
-        }
-    };
-
-    void value(Quantity& quantity) { visit_(quantity); }
-
-    void value(std::string& /*text*/) {}
-
-    template <class T>
-    void value(std::optional<T>& maybe) {
-        if (maybe) {
-            value(*maybe);
-        }
-    }
-
-    template <class T, std::size_t N>
-    void value(std::array<T, N>& values) {
-        for (T& one : values) {
-            value(one);
-        }
-    }
-
-    template <class T>
-    void value(std::vector<T>& values) {
-        for (T& one : values) {
-            value(one);
-        }
-    }
-
-    template <class T>
-    void value(T& other) {
-        if constexpr (std::is_class_v<T>) {
-            walk(other);
-        }
-    }
-
-    const std::function<void(Quantity&)>& visit_;
-};
-
-Problem critical(ElementKind kind, const std::string& name, std::string reason,
-                 std::string remedy) {
-    return {Severity::Critical, wordFor(kind) + " " + name, std::move(reason), std::move(remedy)};
-}
-
-struct Reference {
-    std::string* text;
-    ElementKind target;
-    std::string user;
-};
-
-/// Every name by which one element refers to another.
-std::vector<Reference> referencesIn(Project& project) {
-    std::vector<Reference> all;
-    Rover& rover = project.rover;
-    const auto add = [&](std::string& text, ElementKind target, std::string user) {
-        if (!text.empty()) {
-            all.push_back({&text, target, std::move(user)});
-        }
-    };
-    for (Joint& joint : rover.joints) {
-        add(joint.first, ElementKind::Body, "joint " + joint.name);
-        add(joint.second, ElementKind::Body, "joint " + joint.name);
-    }
-    for (Wheel& wheel : rover.wheels) {
-        add(wheel.body, ElementKind::Body, "wheel " + wheel.name);
-        add(wheel.axle, ElementKind::Joint, "wheel " + wheel.name);
-        add(wheel.steering, ElementKind::Joint, "wheel " + wheel.name);
-    }
-    for (Spring& spring : rover.springs) {
-        add(spring.first, ElementKind::Body, "spring " + spring.name);
-        add(spring.second, ElementKind::Body, "spring " + spring.name);
-        add(spring.joint, ElementKind::Joint, "spring " + spring.name);
-    }
-    for (Gear& gear : rover.gears) {
-        add(gear.firstJoint, ElementKind::Joint, "gear " + gear.name);
-        add(gear.secondJoint, ElementKind::Joint, "gear " + gear.name);
-    }
-    for (Payload& payload : rover.payloads) {
-        add(payload.body, ElementKind::Body, "payload " + payload.name);
-    }
-    for (Variant& variant : project.variants) {
-        for (Override& change : variant.set) {
-            add(change.parameter, ElementKind::Parameter, "variant " + variant.name);
-        }
-    }
-    for (Scenario& scenario : project.scenarios) {
-        add(scenario.variant, ElementKind::Variant, "scenario " + scenario.name);
-    }
-    return all;
-}
-
-/// The names a reference may use for an element: its base name and those of its sides.
-std::vector<std::string> namesFor(const std::string& name) {
-    return {name, nameOnSide(name, Side::Left), nameOnSide(name, Side::Right)};
-}
 
 bool isNameCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
@@ -186,39 +40,33 @@ std::string withIdentifier(const std::string& text, const std::string& from,
     return result + text.substr(at);
 }
 
-bool usesName(const Quantity& quantity, const std::string& name) {
-    return !quantity.isLiteral() && namesIn(quantity.text()).contains(name);
-}
-
-/// "joint a" for whatever holds an expression with the parameter.
-std::vector<std::string> expressionUsers(const Project& project, const std::string& parameter) {
-    std::vector<std::string> users;
-    Project copy = project;
-    for (const ElementKind kind : allElementKinds()) {
-        withList(copy, kind, [&](auto& list) {
-            for (auto& element : list) {
-                bool used = false;
-                const std::function<void(Quantity&)> look = [&](Quantity& quantity) {
-                    used = used || usesName(quantity, parameter);
-                };
-                QuantityWalker(look).walk(element);
-                if (used) {
-                    users.push_back(wordFor(kind) + " " + element.name);
-                }
-            }
-        });
+/// Gives a reference the new name when it means the renamed element. True when it cannot have it:
+/// a mirrored user's one text that means this element on one side and another one on the other.
+bool follow(const Reference& reference, ElementKind kind, const std::set<std::string>& known,
+            const std::vector<std::string>& from, const std::vector<std::string>& to,
+            const std::string& base) {
+    if (reference.target != kind) {
+        return false;
     }
-    return users;
-}
-
-std::set<std::string> namesOf(const Project& project, ElementKind kind) {
-    std::set<std::string> names;
-    withList(project, kind, [&](const auto& list) {
-        for (const auto& element : list) {
-            names.insert(element.name);
+    std::size_t hits = 0;
+    const std::vector<std::string> meant = meantBy(reference, known);
+    std::string text;
+    for (const std::string& name : meant) {
+        const auto found = std::find(from.begin(), from.end(), name);
+        if (found != from.end()) {
+            ++hits;
+            text = to[static_cast<std::size_t>(found - from.begin())];
         }
-    });
-    return names;
+    }
+    if (hits == 0) {
+        return false;
+    }
+    if (hits < meant.size()) {
+        return true;
+    }
+    const bool bothSides = meant.size() == 2 && meant[0] != meant[1];
+    *reference.text = bothSides ? base : text;
+    return false;
 }
 
 }  // namespace
@@ -275,8 +123,9 @@ ElementRef findElement(const Project& project, const std::string& problemElement
         const std::string rest = problemElement.substr(word.size());
         const std::string name = rest.substr(0, rest.find(','));
         for (int i = 0; i < countOf(project, kind); ++i) {
-            const auto names = namesFor(nameOf(project, {kind, i}));
-            if (std::find(names.begin(), names.end(), name) != names.end()) {
+            const std::vector<std::string> sides = namesOnSides(project, ElementRef{kind, i});
+            if (nameOf(project, {kind, i}) == name ||
+                std::find(sides.begin(), sides.end(), name) != sides.end()) {
                 return {kind, i};
             }
         }
@@ -294,28 +143,33 @@ Result<Project> renamed(const Project& project, ElementRef element, const std::s
         return project;
     }
     if (name.find_first_not_of(' ') == std::string::npos) {
-        return critical(element.kind, old, "its new name is empty.", "Type a name.");
+        return criticalFor(element.kind, old, "its new name is empty.", "Type a name.");
     }
     if (namesOf(project, element.kind).contains(name)) {
-        return critical(element.kind, old,
-                        fmt::format("there is already a {} '{}'.", wordFor(element.kind), name),
-                        "Choose another name.");
+        return criticalFor(element.kind, old,
+                           fmt::format("there is already a {} '{}'.", wordFor(element.kind), name),
+                           "Choose another name.");
     }
     if (element.kind == ElementKind::Parameter && !isParameterName(name)) {
-        return critical(
+        return criticalFor(
             element.kind, old, fmt::format("'{}' cannot be used in expressions.", name),
             "Use up to 100 letters, digits and underscores, not starting with a digit and not "
             "the name of a function.");
     }
     Project next = project;
+    const std::set<std::string> known = namesOnSides(project, element.kind);
+    const std::vector<std::string> from = namesOnSides(project, element);
     withList(next, element.kind,
              [&](auto& list) { list[static_cast<std::size_t>(element.index)].name = name; });
-    const std::vector<std::string> from = namesFor(old);
-    const std::vector<std::string> to = namesFor(name);
+    const std::vector<std::string> to = namesOnSides(next, element);
     for (const Reference& reference : referencesIn(next)) {
-        const auto found = std::find(from.begin(), from.end(), *reference.text);
-        if (reference.target == element.kind && found != from.end()) {
-            *reference.text = to[static_cast<std::size_t>(found - from.begin())];
+        const auto refused = follow(reference, element.kind, known, from, to, name);
+        if (refused) {
+            return criticalFor(element.kind, old,
+                               fmt::format("{} is mirrored and means it by the name '{}' together "
+                                           "with one on the other side.",
+                                           titleOf(project, reference.user), *reference.text),
+                               "Split that first.");
         }
     }
     if (element.kind == ElementKind::Parameter) {
@@ -328,61 +182,58 @@ Result<Project> renamed(const Project& project, ElementRef element, const std::s
     return next;
 }
 
-std::vector<std::string> usersOf(const Project& project, ElementRef element) {
-    const std::string& name = nameOf(project, element);
-    const std::vector<std::string> names = namesFor(name);
-    std::vector<std::string> users;
+std::vector<ElementRef> userElements(const Project& project, ElementRef element) {
+    const std::vector<std::string> names = namesOnSides(project, element);
+    const std::set<std::string> known = namesOnSides(project, element.kind);
+    std::set<ElementRef> users;
     Project copy = project;
     for (const Reference& reference : referencesIn(copy)) {
-        if (reference.target == element.kind &&
-            std::find(names.begin(), names.end(), *reference.text) != names.end()) {
-            users.push_back(reference.user);
+        if (reference.target != element.kind) {
+            continue;
+        }
+        for (const std::string& meant : meantBy(reference, known)) {
+            if (std::find(names.begin(), names.end(), meant) != names.end()) {
+                users.insert(reference.user);
+            }
         }
     }
     if (element.kind == ElementKind::Parameter) {
-        const auto more = expressionUsers(project, name);
-        users.insert(users.end(), more.begin(), more.end());
-    }
-    std::vector<std::string> unique;
-    for (const std::string& user : users) {
-        if (std::find(unique.begin(), unique.end(), user) == unique.end()) {
-            unique.push_back(user);
+        const std::string& name = nameOf(project, element);
+        for (const ElementKind kind : allElementKinds()) {
+            withList(copy, kind, [&](auto& list) {
+                for (std::size_t i = 0; i < list.size(); ++i) {
+                    const std::function<void(Quantity&)> look = [&](Quantity& quantity) {
+                        if (usesName(quantity, name)) {
+                            users.insert({kind, static_cast<int>(i)});
+                        }
+                    };
+                    QuantityWalker(look).walk(list[i]);
+                }
+            });
         }
     }
-    return unique;
+    return {users.begin(), users.end()};
+}
+
+std::vector<std::string> usersOf(const Project& project, ElementRef element) {
+    std::vector<std::string> users;
+    for (const ElementRef user : userElements(project, element)) {
+        users.push_back(titleOf(project, user));
+    }
+    return users;
 }
 
 Result<Project> removed(const Project& project, ElementRef element) {
-    const std::vector<std::string> users = usersOf(project, element);
-    if (!users.empty()) {
-        constexpr std::size_t kShown = 4;
-        std::string list;
-        for (std::size_t i = 0; i < std::min(users.size(), kShown); ++i) {
-            list += (i == 0 ? "" : ", ") + users[i];
-        }
-        if (users.size() > kShown) {
-            list += fmt::format(" and {} more", users.size() - kShown);
-        }
-        return critical(element.kind, nameOf(project, element),
-                        fmt::format("it is used by {}.", list),
-                        "Delete those first, or make them use something else.");
-    }
-    Project next = project;
-    withList(next, element.kind, [&](auto& list) { list.erase(list.begin() + element.index); });
-    return next;
+    return removed(project, std::vector{element});
 }
 
 Result<Project> duplicated(const Project& project, ElementRef element) {
-    const std::set<std::string> taken = namesOf(project, element.kind);
-    const std::string& name = nameOf(project, element);
-    int number = 2;
-    while (taken.contains(fmt::format("{}_{}", name, number))) {
-        ++number;
-    }
+    const std::string name =
+        freeName(project, element.kind, nameOf(project, element), isMirrored(project, element));
     Project next = project;
     withList(next, element.kind, [&](auto& list) {
         auto copy = list[static_cast<std::size_t>(element.index)];
-        copy.name = fmt::format("{}_{}", name, number);
+        copy.name = name;
         list.insert(list.begin() + element.index + 1, copy);
     });
     return next;
@@ -415,10 +266,11 @@ Result<Project> withCenterOfMass(const Project& project, const Vec3& com) {
     Body& body = next.rover.bodies.front();
     const auto mass = evaluate(body.mass, *parameters, "body " + body.name);
     if (body.mirror || !mass || !(*mass > 0.0)) {
-        return critical(ElementKind::Body, body.name,
-                        "the centre of mass is moved by moving this body's, and it is mirrored or "
-                        "has no mass.",
-                        "Make the chassis the first body.");
+        return criticalFor(
+            ElementKind::Body, body.name,
+            "the centre of mass is moved by moving this body's, and it is mirrored or "
+            "has no mass.",
+            "Make the chassis the first body.");
     }
     const Vec3 shift = (com - mechanism->centerOfMass()) * (mechanism->mass() / *mass);
     for (std::size_t axis = 0; axis < 3; ++axis) {

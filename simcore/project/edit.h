@@ -38,17 +38,63 @@ ElementRef findElement(const Project& project, const std::string& problemElement
 void forEachQuantity(Project& project, const std::function<void(Quantity&)>& visit);
 
 /// The element with another name; references and expressions follow. Problems: the name is empty,
-/// taken, or (for a parameter) not usable in expressions.
+/// taken, or (for a parameter) not usable in expressions; a mirrored element refers to this one on
+/// one side only.
 Result<Project> renamed(const Project& project, ElementRef element, const std::string& name);
 
 /// Names of what refers to the element, as problems call them: "joint fork_a".
 std::vector<std::string> usersOf(const Project& project, ElementRef element);
 
+/// What refers to the element.
+std::vector<ElementRef> userElements(const Project& project, ElementRef element);
+
 /// Without the element. Problem: something still refers to it.
 Result<Project> removed(const Project& project, ElementRef element);
+/// Without all of them at once; they may refer to each other. Problems: for every one that
+/// something outside the set refers to.
+Result<Project> removed(const Project& project, const std::vector<ElementRef>& elements);
 
 /// With a copy of the element behind it, named "<name>_2" or the next free number.
 Result<Project> duplicated(const Project& project, ElementRef element);
+
+/// With a new element at the end of its list, valid at once where that can be: a joint between two
+/// bodies, a wheel with its body and axle, a body welded to the chassis by a joint, and so on; what
+/// comes with it is added, too. Problem: what it needs is not there.
+Result<Project> added(const Project& project, ElementKind kind);
+
+/// With the element at another place of its list; the places behind it close up first. Problems: no
+/// such place, or a mirrored body would be the first one, the chassis.
+Result<Project> moved(const Project& project, ElementRef element, int newIndex);
+
+/// Makes every one of the elements a mirrored pair, or what was a pair the left one of it; those
+/// that are so already stay. References follow. A left one whose split other half is still there
+/// takes it back. Problems: the kind cannot be mirrored, something still refers to a right one that
+/// would go, a name is taken.
+Result<Project> mirrored(const Project& project, const std::vector<ElementRef>& elements,
+                         bool mirror);
+
+/// Every mirrored pair among the elements as two elements of their own, left and right, one behind
+/// the other: the same mechanism, except that the order of its parts may change. Problem: none of
+/// them is mirrored.
+Result<Project> split(const Project& project, const std::vector<ElementRef>& elements);
+
+/// Elements and what it takes to put them into another project.
+struct Parts {
+    Project elements;               ///< those chosen, in the order of the file
+    std::vector<Parameter> needed;  ///< parameters that their expressions use, and those of these
+    bool operator==(const Parts&) const = default;
+};
+
+/// The elements alone.
+Parts partsOf(const Project& project, const std::vector<ElementRef>& elements);
+
+/// With the parts at the ends of their lists. A name that is taken becomes "<name>_2" or the next
+/// free one, and the parts' references to it follow; needed parameters come along where the project
+/// has none of the name. Problems: there are no parts, or a reference cannot follow.
+Result<Project> withParts(const Project& project, const Parts& parts);
+
+/// The elements of `after` that `before`, of which it is an extension, has not. In file order.
+std::vector<ElementRef> appended(const Project& before, const Project& after);
 
 /// Gives `quantity`, a number inside `project`, a value [SI]: the parameter when it is the name of
 /// one that is not derived, else the number itself.

@@ -119,8 +119,8 @@ void addHandles(Rover& rover, HandleKind kind, ElementKind element,
             continue;
         }
         const auto add = [&](Side side) {
-            Handle handle{kind, {element, index}, side, nameOnSide(elements[i].name, side),
-                          *position};
+            Handle handle{
+                kind, {element, index}, side, nameOnSide(elements[i].name, side), *position};
             handle.position.y() *= side == Side::Right ? -1.0 : 1.0;
             handles.push_back(handle);
         };

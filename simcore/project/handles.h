@@ -23,14 +23,15 @@ enum class HandleKind {
 
 struct Handle {
     HandleKind kind = HandleKind::Joint;
-    ElementRef element;        ///< of the rover: the chassis for CenterOfMass
-    Side side = Side::Center;  ///< which copy of a mirrored element
-    std::string name;          ///< of the copy
+    ElementRef element;            ///< of the rover: the chassis for CenterOfMass
+    Side side = Side::Center;      ///< which copy of a mirrored element
+    std::string name;              ///< of the copy
     Vec3 position = Vec3::Zero();  ///< rover frame, drawn pose [m]
 };
 
-/// All handles of a rover: its centre of mass first, then bodies, joints, payloads and wheels in the
-/// order of the file. None when its numbers have no values. A wheel stands for its axle and body.
+/// All handles of a rover: its centre of mass first, then bodies, joints, payloads and wheels in
+/// the order of the file. None when its numbers have no values. A wheel stands for its axle and
+/// body.
 std::vector<Handle> handlesOf(const Project& project);
 
 /// Parameters that can be set and that each coordinate of a handle depends on, through derived ones

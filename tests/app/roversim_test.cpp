@@ -76,11 +76,45 @@ std::array<int, 5> numbers(const json& model) {
 
 }  // namespace
 
+TEST_F(RoversimTest, NewMakesAValidRoverOfTheDimensionsAsked) {
+    const auto file = folder_ / "mine.rover";
+    const Outcome made = roversim("new rocker_bogie_gear --set wheelbase=0.6 --set 'mass=9 kg' " +
+                                  std::string("--output '") + file.string() + "'");
+    EXPECT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(roversim("validate '" + file.string() + "'").code, 0);
+    const Outcome mobility = roversim("mobility '" + file.string() + "' --json");
+    ASSERT_EQ(mobility.code, 0) << mobility.err;
+    EXPECT_EQ(numbers(json::parse(mobility.out).at("models").at(0)),
+              (std::array{-3, 69, 65, 1, 4}));
+    EXPECT_THAT(readAll(file), HasSubstr("\"value\": 0.6"));
+}
+
+TEST_F(RoversimTest, NewListsTopologiesAndRefusesWhatDoesNotGoTogether) {
+    const Outcome list = roversim("new");
+    EXPECT_EQ(list.code, 0);
+    for (const char* name : {"empty", "rigid_four_wheel", "rocker_bogie_gear", "rocker_bogie_bar",
+                             "shrimp", "double_parallel_bogie", "triple_bogie"}) {
+        EXPECT_THAT(list.out, HasSubstr(name + std::string(":")));
+    }
+    EXPECT_THAT(list.out, HasSubstr("wheelbase"));
+    const auto file = folder_ / "not.rover";
+    const std::string output = " --output '" + file.string() + "'";
+    EXPECT_EQ(roversim("new tricycle" + output).code, 2);
+    EXPECT_EQ(roversim("new shrimp").code, 2);  // where to?
+    const Outcome fat = roversim("new rocker_bogie_gear --set wheel_radius=0.3" + output);
+    EXPECT_EQ(fat.code, 1);
+    EXPECT_THAT(fat.err, HasSubstr("wheel_gap"));
+    const Outcome odd = roversim("new rocker_bogie_gear --set bogie_pivot_x=0.3" + output);
+    EXPECT_EQ(odd.code, 1);
+    EXPECT_THAT(odd.err, HasSubstr("Main dimensions"));
+    EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 TEST_F(RoversimTest, HelpAndVersionSucceed) {
     for (const char* arguments :
-         {"--help", "mobility --help", "validate --help", "run --help", "convert --help",
-          "replay --help", "export --help", "channels --help", "statics --help", "reproduce --help",
-          "experiment --help", "relax --help"}) {
+         {"--help", "mobility --help", "validate --help", "run --help", "new --help",
+          "convert --help", "replay --help", "export --help", "channels --help", "statics --help",
+          "reproduce --help", "experiment --help", "relax --help"}) {
         const Outcome outcome = roversim(arguments);
         EXPECT_EQ(outcome.code, 0) << arguments;
         EXPECT_THAT(outcome.out, HasSubstr("Usage")) << arguments;

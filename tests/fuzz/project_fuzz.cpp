@@ -48,9 +48,23 @@ void checkMechanism(const project::Project& project, bool sound) {
     }
 }
 
+/// The reader of the clipboard, and pasting into an empty project.
+void checkParts(std::string_view text) {
+    const auto parts = io::parseParts(text);
+    if (!parts) {
+        require(hasCritical(parts.problems()), "no refusal without a reason");
+        return;
+    }
+    const auto again = io::parseParts(io::formatParts(*parts));
+    require(again && *again == *parts, "parts written are parts read");
+    const auto pasted = project::withParts(project::Project{}, *parts);
+    require(pasted || hasCritical(pasted.problems()), "no refusal without a reason");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    checkParts(fuzz::textOf(data, size));
     const auto project = io::parseProject(fuzz::textOf(data, size), "input");
     if (!project) {
         require(hasCritical(project.problems()), "no refusal without a reason");

@@ -68,9 +68,7 @@ class DraggingTest : public testsupport::StudioTest {
         QTest::mouseRelease(view(), Qt::LeftButton, {}, pixel(what.position + way));
     }
 
-    std::string text() const {
-        return simcore::io::formatProject(window->document().project());
-    }
+    std::string text() const { return simcore::io::formatProject(window->document().project()); }
 
     Vec3 centreOfMass() const { return window->document().derived().mechanism->centerOfMass(); }
 };

@@ -197,6 +197,17 @@ constexpr std::array kEntries{
     Entry{"", "maximum", QT_TRANSLATE_NOOP("fields", "Maximum"), "", ""},
     Entry{"", "meaning", QT_TRANSLATE_NOOP("fields", "Meaning"), "", ""},
     Entry{"", "source", QT_TRANSLATE_NOOP("fields", "Source"), "", ""},
+    Entry{"shape", "center", QT_TRANSLATE_NOOP("fields", "Centre"), "mm", ""},
+    Entry{"shape", "size", QT_TRANSLATE_NOOP("fields", "Edges"), "mm", ""},
+    Entry{"shape", "from", QT_TRANSLATE_NOOP("fields", "One end"), "mm", ""},
+    Entry{"shape", "to", QT_TRANSLATE_NOOP("fields", "Other end"), "mm", ""},
+    Entry{"shape", "radius", QT_TRANSLATE_NOOP("fields", "Radius"), "mm", ""},
+    Entry{"shape", "pitch", QT_TRANSLATE_NOOP("fields", "Pitch"), "deg",
+          QT_TRANSLATE_NOOP("fields", "Turn about y through its centre")},
+    Entry{"shape", "color", QT_TRANSLATE_NOOP("fields", "Colour"), "",
+          QT_TRANSLATE_NOOP("fields",
+                            "#rrggbb, or a name: chassis, accent, link, link_dark, "
+                            "metal, solar, tyre, white")},
     Entry{"", "shapes", QT_TRANSLATE_NOOP("fields", "Shapes"), "", ""},
 };
 
@@ -213,6 +224,24 @@ FieldInfo fieldInfo(const QString& element, const QString& key) {
         }
     }
     return {key, {}, {}, true};
+}
+
+bool shapeUses(simcore::project::ShapeKind kind, const QString& key) {
+    using simcore::project::ShapeKind;
+    if (key == "kind" || key == "color") {
+        return true;
+    }
+    switch (kind) {
+        case ShapeKind::Box:
+            return key == "center" || key == "size" || key == "pitch";
+        case ShapeKind::Sphere:
+            return key == "center" || key == "radius";
+        case ShapeKind::Cylinder:
+            return key == "from" || key == "to" || key == "radius";
+        case ShapeKind::Bar:
+            break;
+    }
+    return key == "from" || key == "to" || key == "width" || key == "height";
 }
 
 bool terrainUses(simcore::project::TerrainKind kind, const QString& key) {

@@ -20,6 +20,9 @@ FieldInfo fieldInfo(const QString& element, const QString& key);
 /// Fields of a terrain that its kind uses.
 bool terrainUses(simcore::project::TerrainKind kind, const QString& key);
 
+/// Fields of a shape that its kind uses.
+bool shapeUses(simcore::project::ShapeKind kind, const QString& key);
+
 inline const char* elementWord(const simcore::project::Parameter*) {
     return "parameter";
 }

@@ -1,11 +1,17 @@
 #include "widgets/editors/parts_tree.h"
 
 #include <QContextMenuEvent>
+#include <QDrag>
+#include <QDropEvent>
 #include <QHeaderView>
 #include <QMenu>
+#include <QMimeData>
+#include <algorithm>
+#include <set>
 
 #include "simcore/project/names.h"
 #include "simcore/project/units.h"
+#include "widgets/document/parts_clipboard.h"
 
 namespace widgets {
 
@@ -43,6 +49,11 @@ QString groupTitle(ElementKind kind) {
     return PartsTree::tr("Scenarios");
 }
 
+/// Groups that are open at first.
+bool opensAtFirst(ElementKind kind) {
+    return kind == ElementKind::Wheel || kind == ElementKind::Scenario;
+}
+
 ElementRef elementOf(const QTreeWidgetItem* item) {
     if (item == nullptr || !item->data(0, kKindRole).isValid()) {
         return {};
@@ -64,6 +75,30 @@ QString freedomsText(const simcore::project::Joint& joint) {
 
 }  // namespace
 
+QString kindTitle(ElementKind kind) {
+    switch (kind) {
+        case ElementKind::Parameter:
+            return PartsTree::tr("Parameter");
+        case ElementKind::Body:
+            return PartsTree::tr("Body");
+        case ElementKind::Joint:
+            return PartsTree::tr("Joint");
+        case ElementKind::Wheel:
+            return PartsTree::tr("Wheel");
+        case ElementKind::Spring:
+            return PartsTree::tr("Spring");
+        case ElementKind::Gear:
+            return PartsTree::tr("Differential");
+        case ElementKind::Payload:
+            return PartsTree::tr("Payload");
+        case ElementKind::Variant:
+            return PartsTree::tr("Variant");
+        case ElementKind::Scenario:
+            break;
+    }
+    return PartsTree::tr("Scenario");
+}
+
 PartsTree::PartsTree(Document* document, QWidget* parent)
     : QTreeWidget(parent),
       document_(document) {
@@ -76,6 +111,9 @@ PartsTree::PartsTree(Document* document, QWidget* parent)
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
     setEditTriggers(QAbstractItemView::EditKeyPressed);
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setDragDropMode(QAbstractItemView::InternalMove);
+    setDropIndicatorShown(true);
     setAccessibleName(tr("Parts of the project"));
     connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         if (!refreshing_ && item != nullptr) {
@@ -102,9 +140,15 @@ QString PartsTree::detail(ElementRef element) const {
                      : QString("?");
     };
     switch (element.kind) {
-        case ElementKind::Parameter:
-            return shown(project.rover.parameters[at].value,
-                         project.rover.parameters[at].unit.c_str());
+        case ElementKind::Parameter: {
+            const simcore::project::Parameter& parameter = project.rover.parameters[at];
+            const auto value = document_->derived().parameters.find(parameter.name);
+            return value == document_->derived().parameters.end()
+                       ? QString("?")
+                       : QString::fromStdString(
+                             simcore::project::formatIn(value->second, parameter.unit, 4) + ' ' +
+                             parameter.unit);
+        }
         case ElementKind::Body:
             return shown(project.rover.bodies[at].mass, "kg");
         case ElementKind::Joint:
@@ -126,43 +170,14 @@ void PartsTree::refresh() {
     const ElementRef before = selected();
     std::size_t wanted = 0;
     for (const ElementKind kind : simcore::project::allElementKinds()) {
-        wanted +=
-            kind == ElementKind::Parameter ? 0 : static_cast<std::size_t>(countOf(project, kind));
+        wanted += static_cast<std::size_t>(countOf(project, kind));
     }
     bool same = wanted == items_.size();
     for (const auto& [element, item] : items_) {
         same = same && element.index < countOf(project, element.kind);
     }
     if (!same) {
-        std::map<int, bool> expanded;
-        for (int i = 0; i < topLevelItemCount(); ++i) {
-            expanded[topLevelItem(i)->data(0, kKindRole).toInt()] = topLevelItem(i)->isExpanded();
-        }
-        clear();
-        items_.clear();
-        for (const ElementKind kind : simcore::project::allElementKinds()) {
-            const int count = countOf(project, kind);
-            // Parameters have a panel of their own.
-            if (count == 0 || kind == ElementKind::Parameter) {
-                continue;
-            }
-            auto* group = new QTreeWidgetItem(this, {groupTitle(kind), QString::number(count)});
-            group->setData(0, kKindRole, static_cast<int>(kind));
-            group->setData(0, kIndexRole, -1);
-            group->setFlags(Qt::ItemIsEnabled);
-            group->setForeground(1, palette().brush(QPalette::PlaceholderText));
-            for (int i = 0; i < count; ++i) {
-                auto* item = new QTreeWidgetItem(group);
-                item->setData(0, kKindRole, static_cast<int>(kind));
-                item->setData(0, kIndexRole, i);
-                item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
-                items_[{kind, i}] = item;
-            }
-            const auto known = expanded.find(static_cast<int>(kind));
-            group->setExpanded(known == expanded.end()
-                                   ? kind == ElementKind::Wheel || kind == ElementKind::Scenario
-                                   : known->second);
-        }
+        rebuild();
     }
     for (const auto& [element, item] : items_) {
         const QString name = QString::fromStdString(nameOf(project, element));
@@ -176,9 +191,81 @@ void PartsTree::refresh() {
         }
         item->setForeground(1, palette().brush(QPalette::PlaceholderText));
     }
+    applyFilter();
     refreshing_ = false;
     if (!same) {
         select(before);
+    }
+}
+
+void PartsTree::rebuild() {
+    const Project& project = document_->project();
+    if (filter_.isEmpty()) {
+        for (int i = 0; i < topLevelItemCount(); ++i) {
+            expanded_[topLevelItem(i)->data(0, kKindRole).toInt()] = topLevelItem(i)->isExpanded();
+        }
+    }
+    clear();
+    items_.clear();
+    for (const ElementKind kind : simcore::project::allElementKinds()) {
+        const int count = countOf(project, kind);
+        if (count == 0) {
+            continue;
+        }
+        auto* group = new QTreeWidgetItem(this, {groupTitle(kind), QString::number(count)});
+        group->setData(0, kKindRole, static_cast<int>(kind));
+        group->setData(0, kIndexRole, -1);
+        group->setFlags(Qt::ItemIsEnabled | Qt::ItemIsDropEnabled);
+        group->setForeground(1, palette().brush(QPalette::PlaceholderText));
+        for (int i = 0; i < count; ++i) {
+            auto* item = new QTreeWidgetItem(group);
+            item->setData(0, kKindRole, static_cast<int>(kind));
+            item->setData(0, kIndexRole, i);
+            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable |
+                           Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren);
+            items_[{kind, i}] = item;
+        }
+        const auto known = expanded_.find(static_cast<int>(kind));
+        group->setExpanded(known == expanded_.end() ? opensAtFirst(kind) : known->second);
+    }
+}
+
+void PartsTree::filter(const QString& text) {
+    if (filter_.isEmpty() && !text.isEmpty()) {
+        for (int i = 0; i < topLevelItemCount(); ++i) {
+            expanded_[topLevelItem(i)->data(0, kKindRole).toInt()] = topLevelItem(i)->isExpanded();
+        }
+    }
+    const bool ends = text.isEmpty() && !filter_.isEmpty();
+    filter_ = text;
+    applyFilter();
+    if (ends) {
+        for (int i = 0; i < topLevelItemCount(); ++i) {
+            const int kind = topLevelItem(i)->data(0, kKindRole).toInt();
+            const auto known = expanded_.find(kind);
+            topLevelItem(i)->setExpanded(known == expanded_.end()
+                                             ? opensAtFirst(static_cast<ElementKind>(kind))
+                                             : known->second);
+        }
+        scrollToItem(currentItem());
+    }
+}
+
+void PartsTree::applyFilter() {
+    std::set<QTreeWidgetItem*> matching;
+    for (const auto& [element, item] : items_) {
+        const bool shown = item->text(0).contains(filter_, Qt::CaseInsensitive);
+        item->setHidden(!shown);
+        if (shown) {
+            matching.insert(item->parent());
+        }
+    }
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        QTreeWidgetItem* group = topLevelItem(i);
+        group->setHidden(!matching.contains(group));
+        if (!filter_.isEmpty()) {
+            group->setExpanded(true);
+        }
     }
 }
 
@@ -211,45 +298,277 @@ void PartsTree::rename(QTreeWidgetItem* item) {
     refresh();
 }
 
-void PartsTree::deleteSelected() {
-    const ElementRef element = selected();
-    if (element.index < 0) {
+std::vector<ElementRef> PartsTree::selection() const {
+    std::vector<ElementRef> elements;
+    for (const auto& [element, item] : items_) {
+        if (item->isSelected() && !item->isHidden()) {
+            elements.push_back(element);
+        }
+    }
+    return elements;
+}
+
+QString PartsTree::titleOf(const std::vector<ElementRef>& elements) const {
+    return elements.size() == 1
+               ? QString::fromStdString(nameOf(document_->project(), elements.front()))
+               : tr("%1 parts").arg(elements.size());
+}
+
+bool PartsTree::apply(const QString& text, const simcore::Result<Project>& next) {
+    if (!next) {
+        emit refused(QString::fromStdString(toString(next.problems().front())));
+        return false;
+    }
+    document_->endMerging();
+    document_->edit(text, *next);
+    return true;
+}
+
+void PartsTree::selectThese(const std::vector<ElementRef>& elements) {
+    if (elements.empty()) {
         return;
     }
-    const QString name = QString::fromStdString(nameOf(document_->project(), element));
-    const auto next = simcore::project::removed(document_->project(), element);
-    if (next) {
-        document_->edit(tr("Delete %1").arg(name), *next);
-    } else {
-        emit refused(QString::fromStdString(toString(next.problems().front())));
+    refreshing_ = true;
+    clearSelection();
+    for (const ElementRef element : elements) {
+        if (const auto found = items_.find(element); found != items_.end()) {
+            found->second->parent()->setExpanded(true);
+            found->second->setSelected(true);
+        }
+    }
+    if (const auto found = items_.find(elements.front()); found != items_.end()) {
+        setCurrentItem(found->second, 0, QItemSelectionModel::Select | QItemSelectionModel::Rows);
+        scrollToItem(found->second);
+    }
+    refreshing_ = false;
+}
+
+void PartsTree::selectAppended(const Project& before, ElementRef current) {
+    std::vector<ElementRef> fresh = appended(before, document_->project());
+    if (current.index >= 0) {
+        fresh = {current};
+    }
+    // What was looked for is found, or the new parts would be hidden.
+    for (const ElementRef element : fresh) {
+        if (const auto found = items_.find(element);
+            found != items_.end() && found->second->isHidden()) {
+            emit filterCleared();
+            break;
+        }
+    }
+    selectThese(fresh);
+    if (!fresh.empty()) {
+        emit elementSelected(fresh.front());
+    }
+}
+
+void PartsTree::add(ElementKind kind) {
+    const Project before = document_->project();
+    if (apply(tr("Add %1").arg(kindTitle(kind).toLower()), added(before, kind))) {
+        // What came with it is not what was asked for.
+        selectAppended(before, {kind, countOf(document_->project(), kind) - 1});
+    }
+}
+
+void PartsTree::deleteSelected() {
+    const std::vector<ElementRef> elements = selection();
+    if (!elements.empty()) {
+        apply(tr("Delete %1").arg(titleOf(elements)), removed(document_->project(), elements));
     }
 }
 
 void PartsTree::duplicateSelected() {
-    const ElementRef element = selected();
-    if (element.index < 0) {
+    const std::vector<ElementRef> elements = selection();
+    if (elements.empty()) {
         return;
     }
-    const QString name = QString::fromStdString(nameOf(document_->project(), element));
-    const auto next = simcore::project::duplicated(document_->project(), element);
-    if (next) {
-        document_->edit(tr("Duplicate %1").arg(name), *next);
-        select({element.kind, element.index + 1});
-        emit elementSelected({element.kind, element.index + 1});
+    const Project before = document_->project();
+    const QString text = tr("Duplicate %1").arg(titleOf(elements));
+    if (elements.size() > 1) {
+        // Copies refer to each other as the originals do.
+        if (apply(text, withParts(before, partsOf(before, elements)))) {
+            selectAppended(before);
+        }
+        return;
+    }
+    const ElementRef element = elements.front();
+    if (apply(text, duplicated(before, element))) {
+        selectAppended(before, {element.kind, element.index + 1});
+    }
+}
+
+void PartsTree::copySelected() {
+    const std::vector<ElementRef> elements = selection();
+    if (!elements.empty()) {
+        clipboard::copyParts(document_->project(), elements);
+        emit message(tr("Copied %1").arg(titleOf(elements)));
+    }
+}
+
+void PartsTree::cutSelected() {
+    const std::vector<ElementRef> elements = selection();
+    if (elements.empty()) {
+        return;
+    }
+    const Project before = document_->project();
+    if (apply(tr("Cut %1").arg(titleOf(elements)), removed(before, elements))) {
+        clipboard::copyParts(before, elements);
+    }
+}
+
+void PartsTree::paste() {
+    const Project before = document_->project();
+    const auto next = clipboard::pasted(before);
+    if (!next) {
+        apply({}, next);
+        return;
+    }
+    const auto fresh = appended(before, *next);
+    const QString what = fresh.size() == 1 ? QString::fromStdString(nameOf(*next, fresh.front()))
+                                           : tr("%1 parts").arg(fresh.size());
+    if (apply(tr("Paste %1").arg(what), next)) {
+        selectAppended(before);
+    }
+}
+
+void PartsTree::mirrorSelected() {
+    const std::vector<ElementRef> elements = selection();
+    if (elements.empty()) {
+        return;
+    }
+    const auto next = mirrored(document_->project(), elements, true);
+    if (next && *next == document_->project()) {
+        emit message(tr("It is mirrored already."));
+        return;
+    }
+    apply(tr("Mirror %1").arg(titleOf(elements)), next);
+}
+
+void PartsTree::splitSelected() {
+    const std::vector<ElementRef> elements = selection();
+    if (!elements.empty()) {
+        const ElementRef current = selected();
+        if (apply(tr("Split %1").arg(titleOf(elements)), split(document_->project(), elements)) &&
+            current.index >= 0) {
+            select(current);
+            emit elementSelected(current);
+        }
+    }
+}
+
+void PartsTree::moveTo(const std::vector<ElementRef>& elements, int place) {
+    const bool chassisBefore = !document_->project().rover.bodies.empty();
+    const std::string chassis =
+        chassisBefore ? document_->project().rover.bodies.front().name : std::string();
+    const QString text = tr("Move %1").arg(titleOf(elements));
+    simcore::Result<Project> next = document_->project();
+    std::vector<ElementRef> now;
+    now.reserve(elements.size());
+    int before = 0;
+    int behind = 0;
+    for (const ElementRef element : elements) {
+        if (!next) {
+            break;
+        }
+        // Those that came from before the place have made it one less each time.
+        const bool fromBefore = element.index < place;
+        const ElementRef from{element.kind, element.index - (fromBefore ? before : 0)};
+        const int to = fromBefore ? place - 1 : place + behind;
+        next = moved(*next, from, to);
+        (fromBefore ? before : behind)++;
+    }
+    if (!apply(text, next)) {
+        return;
+    }
+    for (int i = 0; i < static_cast<int>(elements.size()); ++i) {
+        now.push_back({elements.front().kind, place - before + i});
+    }
+    selectThese(now);
+    emit elementSelected(now.front());
+    const auto& bodies = document_->project().rover.bodies;
+    if (chassisBefore && bodies.front().name != chassis) {
+        emit message(tr("The first body is the chassis: that is %1 now.")
+                         .arg(QString::fromStdString(bodies.front().name)));
+    }
+}
+
+void PartsTree::moveSelected(int by) {
+    const ElementRef current = selected();
+    std::vector<ElementRef> elements = selection();
+    std::erase_if(elements, [&](ElementRef one) { return one.kind != current.kind; });
+    if (elements.empty()) {
+        return;
+    }
+    const int place = by < 0 ? elements.front().index - 1 : elements.back().index + 2;
+    if (place >= 0 && place <= countOf(document_->project(), current.kind)) {
+        moveTo(elements, place);
+    }
+}
+
+int PartsTree::dropPlace(QDropEvent* event) const {
+    const std::vector<ElementRef> elements = selection();
+    const QTreeWidgetItem* target = itemAt(event->position().toPoint());
+    if (elements.empty() || event->source() != this || target == nullptr) {
+        return -1;
+    }
+    const auto kind = static_cast<ElementKind>(target->data(0, kKindRole).toInt());
+    for (const ElementRef element : elements) {
+        if (element.kind != kind) {
+            return -1;
+        }
+    }
+    const ElementRef over = elementOf(target);
+    if (over.index < 0) {
+        return 0;  // the title of the group: to its beginning
+    }
+    const QRect row = visualItemRect(target);
+    return over.index + (event->position().y() > row.center().y() ? 1 : 0);
+}
+
+void PartsTree::dragMoveEvent(QDragMoveEvent* event) {
+    QTreeWidget::dragMoveEvent(event);  // scrolls, and shows where
+    event->setDropAction(Qt::MoveAction);
+    dropPlace(event) < 0 ? event->ignore() : event->accept();
+}
+
+void PartsTree::startDrag(Qt::DropActions /*actions*/) {
+    // Not the view's own: that takes the items away, but it is the project that moves its parts.
+    auto* drag = new QDrag(this);
+    drag->setMimeData(model()->mimeData(selectedIndexes()));
+    drag->exec(Qt::MoveAction);
+}
+
+void PartsTree::dropEvent(QDropEvent* event) {
+    const int place = dropPlace(event);
+    if (place < 0) {
+        event->ignore();
+        return;
+    }
+    event->accept();
+    moveTo(selection(), place);
+    setState(QAbstractItemView::NoState);
+    viewport()->update();
+}
+
+void PartsTree::renameSelected() {
+    if (selected().index >= 0) {
+        setFocus();
+        editItem(currentItem(), 0);
     }
 }
 
 void PartsTree::contextMenuEvent(QContextMenuEvent* event) {
-    if (selected().index < 0) {
-        return;
-    }
     QMenu menu(this);
-    connect(menu.addAction(tr("&Rename")), &QAction::triggered, this,
-            [this] { editItem(currentItem(), 0); });
-    connect(menu.addAction(tr("D&uplicate")), &QAction::triggered, this,
-            &PartsTree::duplicateSelected);
-    connect(menu.addAction(tr("&Delete")), &QAction::triggered, this, &PartsTree::deleteSelected);
-    menu.exec(event->globalPos());
+    for (QAction* action : menuActions_) {
+        if (action == nullptr) {
+            menu.addSeparator();
+        } else {
+            menu.addAction(action);
+        }
+    }
+    if (!menu.isEmpty()) {
+        menu.exec(event->globalPos());
+    }
 }
 
 }  // namespace widgets

@@ -117,6 +117,11 @@ class PropertyFormBuilder {
                     return;
                 }
             }
+            if constexpr (std::is_same_v<Element, simcore::project::Shape>) {
+                if (!shapeUses(builder.read(access).kind, key)) {
+                    return;
+                }
+            }
             FieldInfo info = fieldInfo(word, key);
             if constexpr (std::is_same_v<Element, simcore::project::Parameter>) {
                 if (info.unit.isEmpty() &&
@@ -257,18 +262,46 @@ class PropertyFormBuilder {
                          });
     }
 
-    void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
+    void row(const QString& /*word*/, const char* key, const FieldInfo& info,
              const Access<bool>& field) {
         auto* check = new QCheckBox;
+        check->setObjectName(QString("property:") + key);
         addRow(info, check);
         onRefresh([self = *this, check, field] {
             const QSignalBlocker quiet(check);
             check->setChecked(self.read(field));
         });
+        if (std::string_view(key) == "mirror") {
+            connectMirror(check);
+            return;
+        }
         QObject::connect(check, &QCheckBox::toggled, panel_,
                          [self = *this, field, label = info.label](bool on) mutable {
                              self.set(field, on, label);
                          });
+    }
+
+    /// Names and what refers to them follow.
+    void connectMirror(QCheckBox* check) {
+        PropertyPanel* panel = panel_;
+        QObject::connect(check, &QCheckBox::toggled, panel, [panel, check](bool on) {
+            Document* document = panel->document_;
+            const auto next =
+                simcore::project::mirrored(document->project(), {panel->element_}, on);
+            emit panel->refused(next ? QString()
+                                     : QString::fromStdString(toString(next.problems().front())));
+            if (next) {
+                const QString name =
+                    QString::fromStdString(nameOf(document->project(), panel->element_));
+                document->edit(
+                    (on ? PropertyPanel::tr("Mirror %1") : PropertyPanel::tr("Do not mirror %1"))
+                        .arg(name),
+                    *next);
+            } else {
+                const QSignalBlocker quiet(check);
+                check->setChecked(!on);
+            }
+        });
     }
 
     void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
@@ -439,42 +472,74 @@ class PropertyFormBuilder {
     }
 
     void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
-             const Access<std::vector<simcore::project::Shape>>& field) {
-        auto* label = new QLabel;
-        addRow(info, label);
-        onRefresh([self = *this, label, field] {
-            label->setText(PropertyPanel::tr("%1 drawn").arg(self.read(field).size()));
-        });
-    }
-
-    void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
              const Access<std::vector<simcore::project::Override>>& field) {
         heading(info.label);
+        const auto& parameters = document_->project().rover.parameters;
         for (std::size_t i = 0; i < read(field).size(); ++i) {
             const Access<Quantity> one = [field, i](Project& project) -> Quantity& {
                 return field(project).at(i).value;
             };
             FieldInfo row;
             row.label = QString::fromStdString(read(field)[i].parameter);
-            for (const auto& parameter : document_->project().rover.parameters) {
+            for (const auto& parameter : parameters) {
                 if (parameter.name == read(field)[i].parameter) {
                     row.unit = QString::fromStdString(parameter.unit);
                 }
             }
             addRow(row, makeField(row, one, row.label));
+            listButton(PropertyPanel::tr("Remove"), PropertyPanel::tr("Remove %1").arg(row.label),
+                       field, [i](std::vector<simcore::project::Override>& all) {
+                           all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+                       });
         }
+        auto* box = new Unwheeled<QComboBox>;
+        box->setObjectName("add:set");
+        box->setAccessibleName(PropertyPanel::tr("Set another parameter"));
+        box->addItem(PropertyPanel::tr("Set another parameter..."));
+        for (const auto& parameter : parameters) {
+            const bool set =
+                std::any_of(read(field).begin(), read(field).end(),
+                            [&](const auto& change) { return change.parameter == parameter.name; });
+            if (!set && parameter.value.isLiteral()) {
+                box->addItem(QString::fromStdString(parameter.name));
+            }
+        }
+        form_->addRow(box);
+        QObject::connect(
+            box, &QComboBox::activated, panel_, [self = *this, box, field](int at) mutable {
+                if (at < 1) {
+                    return;
+                }
+                const std::string name = box->currentText().toStdString();
+                std::vector<simcore::project::Override> all = self.read(field);
+                for (const auto& parameter : self.document_->project().rover.parameters) {
+                    if (parameter.name == name) {
+                        all.push_back({name, parameter.value});
+                    }
+                }
+                self.set(field, std::move(all), QString::fromStdString(name));
+            });
     }
 
     /// A list of parts with fields of their own: a heading and a button to remove for each, one
     /// to add.
     template <class Part, std::enable_if_t<std::is_same_v<Part, simcore::project::Terrain> ||
-                                               std::is_same_v<Part, simcore::project::SoilRegion>,
+                                               std::is_same_v<Part, simcore::project::SoilRegion> ||
+                                               std::is_same_v<Part, simcore::project::Shape>,
                                            int> = 0>
     void row(const QString& /*word*/, const char* key, const FieldInfo& info,
              const Access<std::vector<Part>>& field) {
         for (std::size_t i = 0; i < read(field).size(); ++i) {
             heading(QString("%1: %2").arg(info.label).arg(i + 1));
             build<Part>([field, i](Project& project) -> Part& { return field(project).at(i); });
+            if constexpr (std::is_same_v<Part, simcore::project::Shape>) {
+                listButton(
+                    PropertyPanel::tr("Duplicate"),
+                    PropertyPanel::tr("Duplicate %1 %2").arg(info.label.toLower()).arg(i + 1),
+                    field, [i](std::vector<Part>& parts) {
+                        parts.insert(parts.begin() + static_cast<std::ptrdiff_t>(i), parts[i]);
+                    });
+            }
             listButton(PropertyPanel::tr("Remove"),
                        PropertyPanel::tr("Remove %1 %2").arg(info.label.toLower()).arg(i + 1),
                        field, [i](std::vector<Part>& parts) {
@@ -483,8 +548,23 @@ class PropertyFormBuilder {
         }
         auto* add = listButton(PropertyPanel::tr("Add"),
                                PropertyPanel::tr("Add to %1").arg(info.label.toLower()), field,
-                               [](std::vector<Part>& parts) { parts.emplace_back(); });
+                               [](std::vector<Part>& parts) { parts.push_back(firstOf<Part>()); });
         add->setObjectName(QString("add:") + key);
+    }
+
+    /// What an added part starts with: something to see.
+    template <class Part>
+    static Part firstOf() {
+        Part part{};
+        if constexpr (std::is_same_v<Part, simcore::project::Shape>) {
+            part.center = {0.0, 0.0, 0.2};
+            part.size = {0.1, 0.1, 0.1};
+            part.from = {-0.05, 0.0, 0.2};
+            part.to = {0.05, 0.0, 0.2};
+            part.radius = part.width = part.height = 0.02;
+            part.color = "link";
+        }
+        return part;
     }
 
     template <class Part, class Change>
@@ -577,13 +657,20 @@ std::string shapeOf(const Project& project, ElementRef element) {
         case ElementKind::Parameter:
             return shape + project.rover.parameters[at].unit;
         case ElementKind::Body:
-            return shape + (project.rover.bodies[at].inertia ? "inertia" : "");
+            shape += project.rover.bodies[at].inertia ? "inertia" : "";
+            for (const simcore::project::Shape& drawn : project.rover.bodies[at].shapes) {
+                shape += '+' + nameOf(drawn.kind);
+            }
+            return shape;
         case ElementKind::Joint:
             return shape + (project.rover.joints[at].stops ? "stops" : "");
         case ElementKind::Spring:
             return shape + (project.rover.springs[at].joint.empty() ? "" : "torsion");
         case ElementKind::Variant:
-            return shape + std::to_string(project.variants[at].set.size());
+            for (const auto& change : project.variants[at].set) {
+                shape += '+' + change.parameter;
+            }
+            return shape + '/' + std::to_string(project.rover.parameters.size());
         case ElementKind::Scenario:
             shape += nameOf(project.scenarios[at].terrain.kind);
             for (const auto& part : project.scenarios[at].terrain.terrains) {

@@ -10,7 +10,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kRuler = 22;  ///< breadth [px]
+constexpr int kRuler = 22;             ///< breadth [px]
 constexpr double kSmallestGap = 64.0;  ///< between numbered ticks [px]
 constexpr double kHandle = 5.5;        ///< radius [px]
 
@@ -113,8 +113,8 @@ void DrawingOverlay::paintRulers(QPainter& painter, const Projection& projection
         painter.drawLine(QPointF(x, height() - kRuler),
                          QPointF(x, height() - kRuler + (numbered ? 7 : 4)));
         if (numbered) {
-            painter.drawText(QRectF(x - 40, height() - kRuler + 6, 80, kRuler - 6),
-                             Qt::AlignCenter, millimetres(value));
+            painter.drawText(QRectF(x - 40, height() - kRuler + 6, 80, kRuler - 6), Qt::AlignCenter,
+                             millimetres(value));
         }
     });
     const double top = valueAt(QPointF(0, 0), upward);
@@ -156,14 +156,14 @@ void DrawingOverlay::paintDimensions(QPainter& painter, const Projection& projec
         painter.drawLine(*b, to);
         painter.drawLine(from, to);
         for (const auto& [tip, other] : {std::pair(from, to), std::pair(to, from)}) {
-            const QPointF way = (other - tip) / std::max(1.0, std::hypot((other - tip).x(),
-                                                                         (other - tip).y()));
+            const QPointF way =
+                (other - tip) / std::max(1.0, std::hypot((other - tip).x(), (other - tip).y()));
             const QPointF side(-way.y(), way.x());
             painter.drawLine(tip, tip + 8.0 * way + 3.0 * side);
             painter.drawLine(tip, tip + 8.0 * way - 3.0 * side);
         }
-        const QRectF box = QRectF(painter.fontMetrics().boundingRect(line.text))
-                               .adjusted(-5, -2, 5, 2);
+        const QRectF box =
+            QRectF(painter.fontMetrics().boundingRect(line.text)).adjusted(-5, -2, 5, 2);
         QRectF label(QPointF(), box.size());
         label.moveCenter(0.5 * (from + to));
         painter.setPen(Qt::NoPen);

@@ -39,6 +39,7 @@ class DrawingOverlay : public QWidget {
     void setDimensions(std::vector<DimensionLine> dimensions);
     /// Text beside a place of the world; empty: none.
     void setNote(const QString& text, const render::Vec3& place, bool refused = false);
+
     QString note() const { return note_; }
 
   protected:

@@ -25,8 +25,7 @@ std::optional<QPointF> Projection::toPixel(const Vec3& point) const {
         return std::nullopt;
     }
     const double distance = (camera_.center - camera_.eye).norm();
-    const double scale =
-        camera_.orthographic ? 1.0 / pixelSize_ : distance / (depth * pixelSize_);
+    const double scale = camera_.orthographic ? 1.0 / pixelSize_ : distance / (depth * pixelSize_);
     return QPointF(0.5 * size_.width() + scale * to.dot(right_),
                    0.5 * size_.height() - scale * to.dot(up_));
 }

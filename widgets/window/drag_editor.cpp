@@ -111,8 +111,8 @@ void DragEditor::refresh() {
 void DragEditor::showMarks() {
     std::vector<HandleMark> marks;
     for (std::size_t i = 0; i < handles_.size(); ++i) {
-        marks.push_back({shapeOf(handles_[i].kind), handles_[i].position,
-                         static_cast<int>(i) == hot_});
+        marks.push_back(
+            {shapeOf(handles_[i].kind), handles_[i].position, static_cast<int>(i) == hot_});
     }
     // The one in use lies on top.
     std::stable_partition(marks.begin(), marks.end(), [](const auto& mark) { return !mark.hot; });
@@ -125,10 +125,9 @@ void DragEditor::showDimensions() {
     if (shows() && mechanism && mechanism->wheels.size() > 1) {
         const auto& wheels = mechanism->wheels;
         const auto outermost = [&](int axis) {
-            return std::minmax_element(wheels.begin(), wheels.end(),
-                                       [axis](const auto& a, const auto& b) {
-                                           return a.center[axis] < b.center[axis];
-                                       });
+            return std::minmax_element(
+                wheels.begin(), wheels.end(),
+                [axis](const auto& a, const auto& b) { return a.center[axis] < b.center[axis]; });
         };
         const auto add = [&](int axis, const QString& text) {
             const auto [low, high] = outermost(axis);
@@ -295,8 +294,8 @@ bool DragEditor::askForParameters(const Handle& handle, const QPoint& place) {
         }
         QMenu menu;
         menu.setObjectName("parameterChoice");
-        menu.addSection(tr("%1 of %2 moves by").arg(kAxes.at(static_cast<std::size_t>(axis)),
-                                                    titleOf(handle)));
+        menu.addSection(
+            tr("%1 of %2 moves by").arg(kAxes.at(static_cast<std::size_t>(axis)), titleOf(handle)));
         for (const std::string& name : names) {
             menu.addAction(QString::fromStdString(name));
         }
@@ -336,8 +335,7 @@ void DragEditor::move(QMouseEvent* event) {
     for (int axis = 0; axis < 3; ++axis) {
         // What stays about where it was stays as it was written.
         if (std::abs(way[axis]) > 0.5 * grid) {
-            request.to[axis] =
-                std::round((drag_->handle.position[axis] + way[axis]) / grid) * grid;
+            request.to[axis] = std::round((drag_->handle.position[axis] + way[axis]) / grid) * grid;
             request.axes.at(static_cast<std::size_t>(axis)) = true;
         }
     }

@@ -10,6 +10,7 @@
 #include "simcore/io/project_file.h"
 #include "widgets/document/autosave.h"
 #include "widgets/session/may_replace.h"
+#include "widgets/window/new_rover_dialog.h"
 
 namespace widgets {
 
@@ -44,6 +45,14 @@ FileCommands::FileCommands(Document* document, QWidget* window)
 void FileCommands::createNew() {
     if (mayDiscard()) {
         document_->createNew();
+    }
+}
+
+void FileCommands::createFromTemplate() {
+    NewRoverDialog dialog(window_);
+    if (dialog.exec() == QDialog::Accepted && mayDiscard()) {
+        document_->openProject(dialog.project(), {});
+        emit message(tr("A new rover: save it under a name of your own."));
     }
 }
 

@@ -18,6 +18,8 @@ class FileCommands : public QObject {
     FileCommands(Document* document, QWidget* window);
 
     void createNew();
+    /// A rover from a template, with main dimensions that the user chooses.
+    void createFromTemplate();
     /// Asks for a file to open; empty: none.
     QString chooseFile() const;
     /// Asks about unsaved changes first. False when it was not opened; says why.

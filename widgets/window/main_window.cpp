@@ -13,8 +13,10 @@
 #include <QStatusBar>
 #include <QSysInfo>
 #include <QTabWidget>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUndoView>
 #include <QVBoxLayout>
 
 #include "simcore/base/version.h"
@@ -22,6 +24,7 @@
 #include "simcore/project/units.h"
 #include "widgets/document/autosave.h"
 #include "widgets/editors/parameter_panel.h"
+#include "widgets/editors/parts_panel.h"
 #include "widgets/editors/parts_tree.h"
 #include "widgets/editors/property_panel.h"
 #include "widgets/panels/compare_panel.h"
@@ -136,12 +139,20 @@ void MainWindow::makeDocks() {
     QDockWidget* compare = add(Qt::RightDockWidgetArea, tr("Compare"), "compareDock", compare_);
     QDockWidget* mass = add(Qt::RightDockWidgetArea, tr("Mass"), "massDock", mass_);
     problemsDock_ = add(Qt::RightDockWidgetArea, tr("Problems"), "problemsDock", problems_);
+    auto* steps = new QUndoView(&document_->undoStack());
+    steps->setEmptyLabel(tr("As opened"));
+    steps->setAccessibleName(tr("Steps that can be undone"));
+    steps->setFrameShape(QFrame::NoFrame);
+    steps->setSpacing(2);
+    QDockWidget* history = add(Qt::RightDockWidgetArea, tr("History"), "historyDock", steps);
     tabifyDockWidget(mobilityDock_, staticsDock_);
     tabifyDockWidget(staticsDock_, compare);
     tabifyDockWidget(compare, mass);
     tabifyDockWidget(mass, problemsDock_);
+    tabifyDockWidget(problemsDock_, history);
     mobilityDock_->raise();
-    for (QDockWidget* dock : {mobilityDock_, staticsDock_, compare, mass, problemsDock_}) {
+    history->hide();
+    for (QDockWidget* dock : {mobilityDock_, staticsDock_, compare, mass, problemsDock_, history}) {
         // The tab says what the title would, and a panel's height is dear.
         dock->setTitleBarWidget(new QWidget(dock));
     }
@@ -167,13 +178,22 @@ void MainWindow::makeDocks() {
     }
     panelMenu_ = new QMenu(tr("&Panels"), this);
     for (QDockWidget* dock :
-         {rover, mobilityDock_, staticsDock_, compare, mass, problemsDock_, runDock}) {
+         {rover, mobilityDock_, staticsDock_, compare, mass, problemsDock_, history, runDock}) {
         panelMenu_->addAction(dock->toggleViewAction());
     }
 }
 
 QWidget* MainWindow::makeLeftPanel() {
     tree_ = new PartsTree(document_);
+    std::vector<QAction*> partActions;
+    for (const char* name : {"cut", "copy", "paste", "duplicate", "delete", "", "rename", "mirror",
+                             "split", "moveUp", "moveDown", ""}) {
+        partActions.push_back(*name == '\0' ? nullptr : actions_->at(name));
+    }
+    addMenu_ = makeAddMenu();
+    partActions.push_back(addMenu_->menuAction());
+    tree_->setMenuActions(partActions);
+    parts_ = new PartsPanel(tree_, addMenu_);
     parameters_ = new ParameterPanel(document_);
     properties_ = new PropertyPanel(document_);
     editors_ = new QTabWidget;
@@ -182,11 +202,11 @@ QWidget* MainWindow::makeLeftPanel() {
     editors_->addTab(parameters_, tr("Parameters"));
     editors_->addTab(properties_, tr("Properties"));
     auto* splitter = new QSplitter(Qt::Vertical);
-    splitter->addWidget(tree_);
+    splitter->addWidget(parts_);
     splitter->addWidget(editors_);
     splitter->setStretchFactor(0, 2);
     splitter->setStretchFactor(1, 3);
-    splitter->setSizes({280, 420});
+    splitter->setSizes({320, 400});
     splitter->setChildrenCollapsible(false);
     return splitter;
 }
@@ -259,6 +279,7 @@ void MainWindow::connectParts() {
 
     connect(tree_, &PartsTree::elementSelected, this, &MainWindow::selectElement);
     connect(tree_, &PartsTree::refused, this, &MainWindow::tell);
+    connect(tree_, &PartsTree::message, this, &MainWindow::tell);
     connect(properties_, &PropertyPanel::refused, this, &MainWindow::tell);
     connect(problems_, &ProblemsPanel::elementChosen, this, &MainWindow::selectElement);
     connect(problems_, &ProblemsPanel::countChanged, this, &MainWindow::updateStatus);
@@ -382,8 +403,13 @@ bool MainWindow::showPanel(const QString& name) {
     if (dock == nullptr) {
         return false;
     }
+    const bool hidden = dock->isHidden();
     dock->show();
     dock->raise();
+    if (hidden) {
+        // A tab that comes back is made by the layout, later.
+        QTimer::singleShot(0, dock, [dock] { dock->raise(); });
+    }
     return true;
 }
 
@@ -424,8 +450,12 @@ void MainWindow::tell(const QString& message) {
 }
 
 void MainWindow::selectElement(ElementRef element) {
-    tree_->select(element);
-    if (element.kind == ElementKind::Parameter) {
+    const bool fromTree = sender() == tree_;
+    if (!fromTree) {
+        tree_->select(element);
+    }
+    if (element.kind == ElementKind::Parameter && !fromTree) {
+        // Its value is what a problem is about.
         editors_->setCurrentWidget(parameters_);
         if (element.index >= 0) {
             parameters_->focusParameter(

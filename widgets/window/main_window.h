@@ -26,6 +26,7 @@ class ManualDrive;
 class MassPanel;
 class MobilityPanel;
 class ParameterPanel;
+class PartsPanel;
 class PartsTree;
 class PlotPanel;
 class ProblemsPanel;
@@ -87,9 +88,8 @@ class MainWindow : public QMainWindow {
     /// was not opened; says why.
     bool open(const QString& file);
     void setDark(bool dark);
-    /// Brings a panel to the front: "rover", "mobility", "statics", "mass",
-    /// "problems", "compare" or "run".
-    /// False when there is no such panel.
+    /// Brings a panel to the front: "rover", "mobility", "statics", "compare", "mass", "problems",
+    /// "history" or "run". False when there is no such panel.
     bool showPanel(const QString& name);
     /// Window size, panels and theme as the user left them.
     void restoreLayout();
@@ -102,10 +102,13 @@ class MainWindow : public QMainWindow {
 
   private:
     /// Of saved arrangements of the panels.
-    static constexpr int kLayoutVersion = 3;
+    static constexpr int kLayoutVersion = 4;
 
     void makeActions();
     void makeFileActions();
+    void makePartActions();
+    /// "addBody" and so on, one for every kind of part.
+    QMenu* makeAddMenu();
     void makeViewActions();
     void makeRunActions();
     void makeDocks();
@@ -154,6 +157,7 @@ class MainWindow : public QMainWindow {
     DragEditor* dragEditor_ = nullptr;
     ManualDrive* drive_ = nullptr;
     PartsTree* tree_ = nullptr;
+    PartsPanel* parts_ = nullptr;
     ParameterPanel* parameters_ = nullptr;
     PropertyPanel* properties_ = nullptr;
     QTabWidget* editors_ = nullptr;
@@ -169,6 +173,7 @@ class MainWindow : public QMainWindow {
     QMenu* recentMenu_ = nullptr;
     QMenu* overlayMenu_ = nullptr;
     QMenu* panelMenu_ = nullptr;
+    QMenu* addMenu_ = nullptr;
     QLabel* mobilityStatus_ = nullptr;
     QLabel* massStatus_ = nullptr;
     QToolButton* problemStatus_ = nullptr;

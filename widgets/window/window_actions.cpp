@@ -9,6 +9,7 @@
 #include <QSettings>
 
 #include "simcore/io/project_file.h"
+#include "widgets/editors/parts_panel.h"
 #include "widgets/editors/parts_tree.h"
 #include "widgets/plots/plot_panel.h"
 #include "widgets/session/may_replace.h"
@@ -21,8 +22,22 @@
 
 namespace widgets {
 
+using simcore::project::ElementKind;
+
+namespace {
+
+/// "addBody": the words of the kinds are those of problems.
+QString addActionName(ElementKind kind) {
+    QString word = QString::fromStdString(wordFor(kind));
+    word[0] = word[0].toUpper();
+    return "add" + word;
+}
+
+}  // namespace
+
 void MainWindow::makeActions() {
     makeFileActions();
+    makePartActions();
     makeViewActions();
     makeRunActions();
     actions_->add("shortcuts", tr("&Keyboard shortcuts"), {QKeySequence(Qt::Key_F1)},
@@ -41,6 +56,9 @@ void MainWindow::makeActions() {
 void MainWindow::makeFileActions() {
     actions_->add("new", tr("&New"), {QKeySequence::New}, tr("An empty project"),
                   [this] { files_->createNew(); });
+    actions_->add("newFromTemplate", tr("New from &template..."), {QKeySequence("Ctrl+Shift+N")},
+                  tr("A rover of a topology and dimensions of your choice"),
+                  [this] { files_->createFromTemplate(); });
     actions_->add("open", tr("&Open..."), {QKeySequence::Open}, tr("Open a project"), [this] {
         // Among all files there are recordings, too.
         if (const QString file = files_->chooseFile(); !file.isEmpty()) {
@@ -74,10 +92,59 @@ void MainWindow::makeFileActions() {
     redo->setShortcuts({QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z")});
     actions_->adopt("undo", undo);
     actions_->adopt("redo", redo);
-    actions_->add("delete", tr("&Delete part"), {QKeySequence(Qt::Key_Delete)},
-                  tr("Delete the selected part"), [this] { tree_->deleteSelected(); });
+}
+
+void MainWindow::makePartActions() {
+    actions_->add("cut", tr("Cu&t"), {QKeySequence::Cut}, tr("Cut the selected parts"),
+                  [this] { tree_->cutSelected(); });
+    actions_->add("copy", tr("&Copy"), {QKeySequence::Copy},
+                  tr("Copy the selected parts, for this project or another one"),
+                  [this] { tree_->copySelected(); });
+    actions_->add("paste", tr("&Paste"), {QKeySequence::Paste}, tr("Paste parts"),
+                  [this] { tree_->paste(); });
     actions_->add("duplicate", tr("D&uplicate part"), {QKeySequence("Ctrl+D")},
-                  tr("Copy the selected part"), [this] { tree_->duplicateSelected(); });
+                  tr("Copy the selected parts"), [this] { tree_->duplicateSelected(); });
+    actions_->add("delete", tr("&Delete part"), {QKeySequence(Qt::Key_Delete)},
+                  tr("Delete the selected parts"), [this] { tree_->deleteSelected(); });
+    actions_->add("rename", tr("&Rename part"), {}, tr("Rename the current part (F2 in the tree)"),
+                  [this] { tree_->renameSelected(); });
+    actions_->add("mirror", tr("&Mirror part"), {QKeySequence("Ctrl+Shift+I")},
+                  tr("Make a left and a right one of the selected parts"),
+                  [this] { tree_->mirrorSelected(); });
+    actions_->add("split", tr("Spl&it pair"), {QKeySequence("Ctrl+Shift+D")},
+                  tr("Make two independent parts of a mirrored one"),
+                  [this] { tree_->splitSelected(); });
+    actions_->add("moveUp", tr("Move part &up"), {QKeySequence("Alt+Up")},
+                  tr("Move the selected parts up in their list"),
+                  [this] { tree_->moveSelected(-1); });
+    actions_->add("moveDown", tr("Move part d&own"), {QKeySequence("Alt+Down")},
+                  tr("Move the selected parts down in their list"),
+                  [this] { tree_->moveSelected(1); });
+    actions_->add("search", tr("&Search parts"), {QKeySequence::Find},
+                  tr("Show only parts with a text in their name"), [this] {
+                      showPanel("rover");
+                      parts_->search();
+                  });
+    for (const ElementKind kind : simcore::project::allElementKinds()) {
+        const QString title = kindTitle(kind);
+        actions_->add(addActionName(kind), title, {}, tr("Add: %1").arg(title.toLower()),
+                      [this, kind] {
+                          showPanel("rover");
+                          tree_->add(kind);
+                      });
+    }
+}
+
+QMenu* MainWindow::makeAddMenu() {
+    auto* menu = new QMenu(tr("&Add part"), this);
+    for (const ElementKind kind : simcore::project::allElementKinds()) {
+        menu->addAction(actions_->at(addActionName(kind)));
+        // The rover's parts in between, what it is tried with behind them.
+        if (kind == ElementKind::Parameter || kind == ElementKind::Payload) {
+            menu->addSeparator();
+        }
+    }
+    return menu;
 }
 
 void MainWindow::makeViewActions() {
@@ -201,6 +268,8 @@ void MainWindow::makeRunActions() {
                   tr("Show the statics panel"), [this] { showPanel("statics"); });
     actions_->add("showCompare", tr("&Compare"), {QKeySequence("Ctrl+Shift+X")},
                   tr("Show the panel that compares runs"), [this] { showPanel("compare"); });
+    actions_->add("showHistory", tr("&History"), {QKeySequence("Ctrl+H")},
+                  tr("Show every step that can be undone"), [this] { showPanel("history"); });
     actions_->add("showProblems", tr("&Problems"), {QKeySequence("Ctrl+Shift+M")},
                   tr("Show the problems panel"), [this] { showPanel("problems"); });
 }
@@ -216,7 +285,7 @@ void MainWindow::makeMenus() {
         }
     };
     QMenu* file = menuBar()->addMenu(tr("&File"));
-    fill(file, {"new", "open", "openRecording"});
+    fill(file, {"new", "newFromTemplate", "open", "openRecording"});
     recentMenu_ = file->addMenu(tr("Open &recent"));
     QMenu* examples = file->addMenu(tr("Open &example"));
     for (const QString& example : files_->exampleFiles()) {
@@ -235,8 +304,11 @@ void MainWindow::makeMenus() {
     QMenu* exports = file->addMenu(tr("&Export"));
     fill(exports, {"exportCsv", "exportPlots", "screenshot"});
     fill(file, {"", "quit"});
-    fill(menuBar()->addMenu(tr("&Edit")),
-         {"undo", "redo", "", "duplicate", "delete", "", "copyPlots"});
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    fill(edit,
+         {"undo", "redo", "showHistory", "", "cut", "copy", "paste", "duplicate", "delete", ""});
+    edit->addMenu(addMenu_);
+    fill(edit, {"rename", "mirror", "split", "moveUp", "moveDown", "search", "", "copyPlots"});
     QMenu* view = menuBar()->addMenu(tr("&View"));
     fill(view, {"fit", "viewIso", "viewFront", "viewSide", "viewTop", "orthographic", "",
                 "moveParts", "follow"});

@@ -83,13 +83,13 @@ TEST(HandlesTest, EveryPartHasItsHandleWhereTheMechanismHasIt) {
         int wheels = 0;
         for (const Handle& handle : handlesOf(project)) {
             if (handle.kind == HandleKind::Joint) {
-                const auto& joint =
-                    mechanism->joints.at(static_cast<std::size_t>(mechanism->findJoint(handle.name)));
+                const auto& joint = mechanism->joints.at(
+                    static_cast<std::size_t>(mechanism->findJoint(handle.name)));
                 EXPECT_LT((handle.position - joint.point).norm(), 1e-12) << handle.name;
             } else if (handle.kind == HandleKind::Wheel) {
                 ++wheels;
-                const auto& wheel =
-                    mechanism->wheels.at(static_cast<std::size_t>(mechanism->findWheel(handle.name)));
+                const auto& wheel = mechanism->wheels.at(
+                    static_cast<std::size_t>(mechanism->findWheel(handle.name)));
                 EXPECT_LT((handle.position - wheel.center).norm(), 1e-12) << handle.name;
             } else if (handle.kind == HandleKind::CenterOfMass) {
                 EXPECT_LT((handle.position - mechanism->centerOfMass()).norm(), 1e-12);
@@ -172,8 +172,8 @@ TEST(HandlesTest, AWheelTakesItsBodyAlong) {
 TEST(HandlesTest, SoleroFollowsByItsParameters) {
     const Project project = testsupport::shipped("solero");
     const Handle front = handleOf(project, HandleKind::Wheel, "front");
-    const Dragged moved = drag(
-        project, front, along({true, false, false}, front.position + Vec3(0.013, 0.0, 0.0)));
+    const Dragged moved =
+        drag(project, front, along({true, false, false}, front.position + Vec3(0.013, 0.0, 0.0)));
     EXPECT_NEAR(parameter(moved.project, "front_wheel_x"),
                 parameter(project, "front_wheel_x") + 0.013, 1e-9);
     EXPECT_TRUE(resolve(moved.project));
