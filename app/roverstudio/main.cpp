@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -15,6 +16,7 @@
 #include "widgets/session/experiment.h"
 #include "widgets/session/run_bar.h"
 #include "widgets/session/statics_session.h"
+#include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/recording_commands.h"
@@ -24,6 +26,8 @@ namespace {
 constexpr int kGood = 0;
 constexpr int kAnswerIsNo = 1;
 constexpr int kWrongUse = 2;
+/// Until a dialog is laid out and painted.
+constexpr int kDialogTime_ms = 800;
 
 struct Options {
     std::string file;
@@ -33,6 +37,7 @@ struct Options {
     std::string scenario;
     std::string panel;
     std::string controller, against;
+    std::vector<std::string> actions;
     double runFor = 0.0;
 };
 
@@ -97,9 +102,26 @@ int takeScreenshot(widgets::MainWindow& window, const Options& options) {
             window.session().scrub(options.runFor);
         }
     }
+    QPixmap picture;
+    for (const std::string& name : options.actions) {
+        // A dialog that an action opens is what is to be pictured.
+        QTimer dialogs;
+        dialogs.setInterval(kDialogTime_ms);
+        QObject::connect(&dialogs, &QTimer::timeout, [&picture] {
+            if (QWidget* dialog = QApplication::activeModalWidget()) {
+                picture = dialog->grab();
+                dialog->close();
+            }
+        });
+        dialogs.start();
+        window.actions().at(QString::fromStdString(name))->trigger();
+    }
     // The plots redraw on a timer.
     waitFor(500, [] { return false; });
-    if (!window.grab().save(QString::fromStdString(options.screenshot))) {
+    if (picture.isNull()) {
+        picture = window.grab();
+    }
+    if (!picture.save(QString::fromStdString(options.screenshot))) {
         std::fprintf(stderr,
                      "roverstudio: %s: the picture cannot be written; check that the folder exists "
                      "and that the name ends in .png\n",
@@ -148,6 +170,12 @@ int run(const Options& options) {
     if (!options.against.empty()) {
         window.compare().setRival(kindOf(options.against));
     }
+    for (const std::string& name : options.actions) {
+        if (!window.actions().has(QString::fromStdString(name))) {
+            std::fprintf(stderr, "roverstudio: there is no action '%s'\n", name.c_str());
+            return kWrongUse;
+        }
+    }
     if (!options.panel.empty()) {
         window.showPanel(QString::fromStdString(options.panel));
     }
@@ -191,6 +219,12 @@ int main(int argc, char** argv) {
         .add_option("--against", options.against,
                     "second controller; with --run-for: drives beside the first")
         ->check(isController);
+    commands
+        .add_option("--do", options.actions,
+                    "with --screenshot: actions to take first, such as moveParts,viewSide; of one "
+                    "that opens a dialog, pictures that")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     commands
         .add_option("--run-for", options.runFor,
                     "with --screenshot: drive this long first [s of simulated time]")

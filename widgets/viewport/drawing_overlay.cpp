@@ -69,8 +69,8 @@ void DrawingOverlay::paintEvent(QPaintEvent* /*event*/) {
     const Projection projection = viewport_->projection();
     if (projection.isToScale()) {
         paintRulers(painter, projection);
+        paintDimensions(painter, projection);
     }
-    paintDimensions(painter, projection);
     paintHandles(painter, projection);
     paintNote(painter, projection);
 }
@@ -143,7 +143,9 @@ void DrawingOverlay::paintDimensions(QPainter& painter, const Projection& projec
     for (const DimensionLine& line : dimensions_) {
         const auto a = projection.toPixel(line.from);
         const auto b = projection.toPixel(line.to);
-        if (!a || !b) {
+        constexpr double kShortest =
+            24.0;  // seen from its end, a length has no room for its number
+        if (!a || !b || (*a - *b).manhattanLength() < kShortest) {
             continue;
         }
         const QPointF away = line.vertical ? QPointF(-kAway, 0.0) : QPointF(0.0, kAway);

@@ -163,7 +163,7 @@ double Viewport::aspect() const {
 }
 
 void Viewport::requestRedraw() {
-    if (follow_) {
+    if (follow_ && !held_) {
         followRover();
     }
     update();
@@ -211,6 +211,11 @@ void Viewport::fit() {
     camera_ = scene_->fitted(camera_, aspect());
     followed_ = scene_->focus();
     update();
+}
+
+void Viewport::setHeld(bool held) {
+    held_ = held;
+    followed_ = scene_->focus();
 }
 
 void Viewport::straighten() {

@@ -52,6 +52,8 @@ class Viewport : public QOpenGLWidget {
     void fit();
     /// Keeps the rover at its place in the picture while it drives.
     void setFollow(bool follow);
+    /// The camera stays where it is, whatever the rover does, until it is let go.
+    void setHeld(bool held);
     /// Without perspective, front, side and top look exactly along an axis, with rulers.
     void setOrthographic(bool on);
 
@@ -85,6 +87,7 @@ class Viewport : public QOpenGLWidget {
     render::CameraPose camera_;
     render::Vec3 followed_ = render::Vec3::Zero();  ///< rover's focus the camera last stood to [m]
     bool follow_ = false;
+    bool held_ = false;
     bool placed_ = false;  ///< the camera has been put before a rover
     QPointF pressed_, last_;
     bool dragged_ = false;

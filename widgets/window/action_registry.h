@@ -28,6 +28,8 @@ class ActionRegistry : public QObject {
     /// std::out_of_range when there is none of this name.
     QAction* at(const QString& name) const { return actions_.at(name); }
 
+    bool has(const QString& name) const { return actions_.count(name) > 0; }
+
     const std::vector<QAction*>& all() const { return order_; }
 
   private:

@@ -81,6 +81,7 @@ void DragEditor::setActive(bool active) {
     cancel();
     active_ = active;
     viewport_->setMouseTracking(active);
+    viewport_->setHeld(active);  // a picture that moves along cannot be drawn in
     refresh();
 }
 
