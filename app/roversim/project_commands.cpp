@@ -9,6 +9,9 @@
 #include "simcore/io/json_format.h"
 #include "simcore/io/mobility_json.h"
 #include "simcore/io/project_file.h"
+#include "simcore/mobility/mobility.h"
+#include "simcore/project/resolve.h"
+#include "simcore/review/review.h"
 #include "simcore/run/simulation.h"
 
 namespace roversim {
@@ -69,12 +72,29 @@ Problems everythingWrong(const project::Project& project, const std::filesystem:
     return problems;
 }
 
+/// What is unwise in a project that is not wrong.
+std::vector<review::Finding> findingsOf(const project::Project& project) {
+    const auto parameters = project::evaluateParameters(project.rover);
+    if (!parameters) {
+        return {};
+    }
+    const auto mechanism = project::resolve(project.rover, *parameters);
+    if (!mechanism) {
+        return {};
+    }
+    return review::review(project, *parameters, *mechanism,
+                          mobility::analyse(*mechanism, mobility::Model::Built),
+                          mobility::analyse(*mechanism, mobility::Model::Relaxed));
+}
+
 int validateFile(const std::string& file, bool json) {
     auto loaded = io::loadProject(file);
     Problems problems = loaded.problems();
+    std::vector<review::Finding> findings;
     if (loaded) {
         const Problems more = everythingWrong(*loaded, std::filesystem::path(file).parent_path());
         problems.insert(problems.end(), more.begin(), more.end());
+        findings = findingsOf(*loaded);
     }
     const bool bad = hasCritical(problems);
     if (json) {
@@ -82,10 +102,23 @@ int validateFile(const std::string& file, bool json) {
         document["file"] = file;
         document["valid"] = !bad;
         document["problems"] = io::toJson(problems);
+        document["findings"] = nlohmann::ordered_json::array();
+        for (const review::Finding& finding : findings) {
+            document["findings"].push_back({{"kind", finding.kind},
+                                            {"severity", toString(finding.severity)},
+                                            {"element", finding.element},
+                                            {"reason", finding.reason},
+                                            {"remedy", finding.remedy},
+                                            {"value", finding.value},
+                                            {"limit", finding.limit}});
+        }
         fmt::print("{}", io::formatJson(document));
     } else {
         for (const Problem& problem : problems) {
             fmt::print("{}\n", toString(problem));
+        }
+        for (const review::Finding& finding : findings) {
+            fmt::print("{}\n", toString(review::asProblem(finding)));
         }
         fmt::print("{}: {}\n", file, bad ? "not usable" : problems.empty() ? "good" : "usable");
     }

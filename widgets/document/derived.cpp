@@ -21,6 +21,8 @@ Derived derive(const simcore::project::Project& project,
     derived.built = simcore::mobility::analyse(*derived.mechanism, simcore::mobility::Model::Built);
     derived.relaxed =
         simcore::mobility::analyse(*derived.mechanism, simcore::mobility::Model::Relaxed);
+    derived.findings = simcore::review::review(project, derived.parameters, *derived.mechanism,
+                                               derived.built, derived.relaxed);
     return derived;
 }
 

@@ -6,6 +6,7 @@
 #include "simcore/project/project.h"
 #include "simcore/project/project_files.h"
 #include "simcore/project/resolve.h"
+#include "simcore/review/review.h"
 
 namespace widgets {
 
@@ -15,7 +16,8 @@ struct Derived {
     simcore::project::ParameterValues parameters;  ///< empty when they cannot be valued
     /// Absent while the rover has critical problems.
     std::optional<simcore::mechanism::Mechanism> mechanism;
-    simcore::mobility::Report built, relaxed;  ///< of the mechanism, when there is one
+    simcore::mobility::Report built, relaxed;        ///< of the mechanism, when there is one
+    std::vector<simcore::review::Finding> findings;  ///< what is no mistake but unwise, worst first
 };
 
 /// `files` is where the terrain files of the project are looked for.

@@ -2,7 +2,11 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSettings>
 #include <QStyle>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -13,11 +17,30 @@ using simcore::Problem;
 using simcore::Problems;
 using simcore::Severity;
 
+namespace {
+
+constexpr int kEntryRole = Qt::UserRole;  // place in what is shown
+constexpr const char* kHiddenSetting = "problems/hidden";
+
+/// Titles of the kinds of findings.
+QString titleOf(const QString& kind) {
+    for (const auto& [name, title] : simcore::review::kinds()) {
+        if (kind.toStdString() == name) {
+            return QString::fromStdString(title);
+        }
+    }
+    return kind;
+}
+
+}  // namespace
+
 ProblemsPanel::ProblemsPanel(Document* document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       none_(new QLabel(tr("No problems."), this)),
-      list_(new QTreeWidget(this)) {
+      list_(new QTreeWidget(this)),
+      hiddenButton_(new QToolButton(this)),
+      hidden_(QSettings().value(kHiddenSetting).toStringList()) {
     none_->setAlignment(Qt::AlignCenter);
     none_->setEnabled(false);
     list_->setHeaderHidden(true);
@@ -29,6 +52,17 @@ ProblemsPanel::ProblemsPanel(Document* document, QWidget* parent)
     layout->setContentsMargins(0, 4, 0, 0);
     layout->addWidget(none_, 1);
     layout->addWidget(list_, 1);
+    layout->addWidget(hiddenButton_);
+    list_->setObjectName("problemList");
+    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(list_, &QTreeWidget::customContextMenuRequested, this, &ProblemsPanel::openMenu);
+    hiddenButton_->setObjectName("hiddenKinds");
+    hiddenButton_->setAccessibleName(tr("Hidden advice"));
+    hiddenButton_->setToolTip(tr("Choose a kind of advice to show it again"));
+    hiddenButton_->setAutoRaise(true);
+    hiddenButton_->setPopupMode(QToolButton::InstantPopup);
+    hiddenButton_->setMenu(new QMenu(hiddenButton_));
+    showHidden();
     connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         if (item == nullptr) {
             return;
@@ -50,11 +84,7 @@ int ProblemsPanel::count() const {
 
 void ProblemsPanel::showMore(const Problems& problems) {
     Problems all = document_->derived().problems;
-    for (const Problem& problem : problems) {
-        if (std::find(all.begin(), all.end(), problem) == all.end()) {
-            all.push_back(problem);
-        }
-    }
+    appendNew(all, problems);
     fill(all);
 }
 
@@ -63,26 +93,107 @@ void ProblemsPanel::refresh() {
 }
 
 void ProblemsPanel::fill(const Problems& problems) {
-    if (problems != shown_ || problems.empty()) {
-        list_->clear();
-        for (const Problem& problem : problems) {
-            auto* item = new QTreeWidgetItem(list_, {QString::fromStdString(problem.element)});
-            item->setIcon(0, style()->standardIcon(problem.severity == Severity::Critical
-                                                       ? QStyle::SP_MessageBoxCritical
-                                                   : problem.severity == Severity::Warning
-                                                       ? QStyle::SP_MessageBoxWarning
-                                                       : QStyle::SP_MessageBoxInformation));
-            item->setToolTip(0, QString::fromStdString(toString(problem)));
-            auto* reason = new QTreeWidgetItem(
-                item, {QString::fromStdString(problem.reason + " " + problem.remedy)});
-            reason->setToolTip(0, reason->text(0));
-            item->setExpanded(true);
-        }
-        shown_ = problems;
+    problems_ = problems;
+    std::vector<Entry> entries;
+    for (const Problem& problem : problems) {
+        entries.push_back({problem, {}, {}});
     }
-    none_->setVisible(problems.empty());
-    list_->setVisible(!problems.empty());
+    for (const auto& finding : document_->derived().findings) {
+        if (!hidden_.contains(QString::fromStdString(finding.kind))) {
+            entries.push_back({asProblem(finding), finding.kind,
+                               finding.fix ? finding.fix->label : std::string()});
+        }
+    }
+    if (entries != shown_ || entries.empty()) {
+        list_->clear();
+        shown_ = entries;
+        for (const Entry& entry : shown_) {
+            addRow(entry);
+        }
+    }
+    none_->setVisible(entries.empty());
+    list_->setVisible(!entries.empty());
     emit countChanged(count());
+}
+
+void ProblemsPanel::addRow(const Entry& entry) {
+    const Problem& problem = entry.problem;
+    auto* item = new QTreeWidgetItem(list_, {QString::fromStdString(problem.element)});
+    item->setData(0, kEntryRole, list_->topLevelItemCount() - 1);
+    item->setIcon(0, style()->standardIcon(problem.severity == Severity::Critical
+                                               ? QStyle::SP_MessageBoxCritical
+                                           : problem.severity == Severity::Warning
+                                               ? QStyle::SP_MessageBoxWarning
+                                               : QStyle::SP_MessageBoxInformation));
+    item->setToolTip(0, QString::fromStdString(toString(problem)));
+    auto* reason =
+        new QTreeWidgetItem(item, {QString::fromStdString(problem.reason + " " + problem.remedy)});
+    reason->setToolTip(0, reason->text(0));
+    item->setExpanded(true);
+    if (!entry.fix.empty()) {
+        auto* row = new QTreeWidgetItem(item);
+        auto* button = new QPushButton(QString::fromStdString(entry.fix));
+        button->setObjectName("fix:" + QString::fromStdString(entry.kind));
+        button->setAccessibleName(
+            tr("Fix %1: %2").arg(item->text(0), QString::fromStdString(entry.fix)));
+        button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+        list_->setItemWidget(row, 0, button);
+        // Later: the edit fills the list anew, and the button with it.
+        connect(
+            button, &QPushButton::clicked, this, [this, entry] { applyFix(entry); },
+            Qt::QueuedConnection);
+    }
+}
+
+void ProblemsPanel::applyFix(const Entry& entry) {
+    for (const auto& finding : document_->derived().findings) {
+        if (finding.fix && finding.kind == entry.kind && asProblem(finding) == entry.problem) {
+            const auto fix = *finding.fix;  // the edit makes new findings
+            document_->edit(tr("Fix: %1").arg(QString::fromStdString(fix.label)), fix.project);
+            return;
+        }
+    }
+}
+
+void ProblemsPanel::openMenu(const QPoint& place) {
+    const QTreeWidgetItem* item = list_->itemAt(place);
+    if (item == nullptr) {
+        return;
+    }
+    const QTreeWidgetItem* top = item->parent() ? item->parent() : item;
+    const auto at = static_cast<std::size_t>(top->data(0, kEntryRole).toInt());
+    const QString kind = QString::fromStdString(shown_.at(at).kind);
+    if (kind.isEmpty()) {
+        return;  // a mistake stays a mistake
+    }
+    QMenu menu;
+    menu.setObjectName("problemMenu");
+    menu.addAction(tr("Hide \u201c%1\u201d").arg(titleOf(kind)), this,
+                   [this, kind] { setHidden(kind, true); });
+    menu.exec(list_->viewport()->mapToGlobal(place));
+}
+
+void ProblemsPanel::setHidden(const QString& kind, bool hidden) {
+    hidden_.removeAll(kind);
+    if (hidden) {
+        hidden_ << kind;
+    }
+    QSettings().setValue(kHiddenSetting, hidden_);
+    showHidden();
+    fill(problems_);
+}
+
+void ProblemsPanel::showHidden() {
+    hiddenButton_->setVisible(!hidden_.isEmpty());
+    hiddenButton_->setText(hidden_.size() == 1
+                               ? tr("1 kind of advice hidden")
+                               : tr("%1 kinds of advice hidden").arg(hidden_.size()));
+    QMenu* menu = hiddenButton_->menu();
+    menu->clear();
+    for (const QString& kind : hidden_) {
+        menu->addAction(tr("Show \u201c%1\u201d").arg(titleOf(kind)), this,
+                        [this, kind] { setHidden(kind, false); });
+    }
 }
 
 }  // namespace widgets

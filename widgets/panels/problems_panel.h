@@ -1,17 +1,21 @@
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
+#include <vector>
 
 #include "simcore/project/edit.h"
 #include "widgets/document/document.h"
 
 class QLabel;
+class QToolButton;
 class QTreeWidget;
 
 namespace widgets {
 
-/// Everything wrong with the project, worst first, with reason and remedy. Choosing a line leads to
-/// the element it is about.
+/// Everything wrong with the project, worst first, with reason and remedy, then what is unwise.
+/// Choosing a line leads to the element it is about; what can be fixed has a button; kinds of
+/// advice can be hidden.
 class ProblemsPanel : public QWidget {
     Q_OBJECT
   public:
@@ -27,13 +31,29 @@ class ProblemsPanel : public QWidget {
     void countChanged(int count);
 
   private:
+    /// What is in the list: a mistake, or a finding.
+    struct Entry {
+        simcore::Problem problem;
+        std::string kind;  ///< of a finding; empty: it cannot be hidden
+        std::string fix;   ///< label of its fix; empty: none
+        bool operator==(const Entry&) const = default;
+    };
+
     void refresh();
     void fill(const simcore::Problems& problems);
+    void addRow(const Entry& entry);
+    void applyFix(const Entry& entry);
+    void setHidden(const QString& kind, bool hidden);
+    void showHidden();
+    void openMenu(const QPoint& place);
 
     Document* document_;
     QLabel* none_ = nullptr;
     QTreeWidget* list_ = nullptr;
-    simcore::Problems shown_;
+    QToolButton* hiddenButton_ = nullptr;
+    QStringList hidden_;  ///< kinds of findings
+    simcore::Problems problems_;
+    std::vector<Entry> shown_;
 };
 
 }  // namespace widgets

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "simcore/mobility/advisor.h"
 #include "simcore/project/resolve.h"
 #include "simcore/statics/static_study.h"
 #include "tests/support/projects.h"
@@ -91,6 +92,35 @@ TEST(TractionTest, ShrimpAtAWall) {
     EXPECT_NEAR(study.wheels[0].torque, 0.317, 0.02 * 0.317);
     EXPECT_NEAR(study.wheels[1].torque, 0.193, 0.02 * 0.193);
     EXPECT_NEAR(study.wheels[5].torque, 0.253, 0.02 * 0.253);
+}
+
+// Ten exact relaxed models of SOLERO, found by search: all give the forces of the model as built.
+TEST(TractionTest, TenExactRelaxationsGiveTheSame) {
+    const project::Project project = testsupport::shipped("solero");
+    mobility::AdvisorOptions options;
+    options.alike = 10;
+    options.seconds = 60.0;
+    const auto advice = mobility::advise(project, options);
+    ASSERT_TRUE(advice);
+    ASSERT_EQ(advice->proposals.size(), 10U);
+    StudyRequest request;
+    request.angles = {{"front", 1.2}, {"bogie_left_front", 0.4}, {"rear", 0.3}};
+    request.contacts = ContactSet::All;
+    const Study built = studyOf(rover("solero"), request);
+    ASSERT_TRUE(built.feasible);
+    request.joints = Model::Relaxed;
+    for (const mobility::Proposal& proposal : advice->proposals) {
+        const auto relaxed = mobility::withRelaxation(project, proposal);
+        ASSERT_TRUE(relaxed);
+        auto mechanism = project::resolve(*relaxed);
+        ASSERT_TRUE(mechanism);
+        const Study study = studyOf(*mechanism, request);
+        EXPECT_NEAR(study.frictionRequired, built.frictionRequired, 1e-7);
+        for (std::size_t i = 0; i < study.wheels.size(); ++i) {
+            EXPECT_NEAR(study.wheels[i].normal, built.wheels[i].normal, 1e-5) << proposal.why;
+            EXPECT_NEAR(study.wheels[i].traction, built.wheels[i].traction, 1e-5) << proposal.why;
+        }
+    }
 }
 
 // What joints hold redundantly has no say in the forces on the ground.
