@@ -4,8 +4,10 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QResizeEvent>
 #include <QSettings>
 #include <QStyle>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -21,6 +23,28 @@ namespace {
 
 constexpr int kEntryRole = Qt::UserRole;  // place in what is shown
 constexpr const char* kHiddenSetting = "problems/hidden";
+
+/// Lines as high as their wrapped text: the tree's own delegate knows no width to wrap to.
+class WrappedLines : public QStyledItemDelegate {
+  public:
+    explicit WrappedLines(QTreeWidget* tree) : QStyledItemDelegate(tree), tree_(tree) {}
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QSize size = QStyledItemDelegate::sizeHint(option, index);
+        if (index.parent().isValid()) {
+            constexpr int kMargin = 12;
+            const int width =
+                std::max(80, tree_->viewport()->width() - 2 * tree_->indentation() - kMargin);
+            const QRect text = tree_->fontMetrics().boundingRect(
+                QRect(0, 0, width, 10000), Qt::TextWordWrap, index.data().toString());
+            size.setHeight(std::max(size.height(), text.height() + 6));
+        }
+        return size;
+    }
+
+  private:
+    QTreeWidget* tree_;
+};
 
 /// Titles of the kinds of findings.
 QString titleOf(const QString& kind) {
@@ -54,6 +78,9 @@ ProblemsPanel::ProblemsPanel(Document* document, QWidget* parent)
     layout->addWidget(list_, 1);
     layout->addWidget(hiddenButton_);
     list_->setObjectName("problemList");
+    list_->setItemDelegate(new WrappedLines(list_));
+    list_->setTextElideMode(Qt::ElideNone);
+    list_->viewport()->installEventFilter(this);
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(list_, &QTreeWidget::customContextMenuRequested, this, &ProblemsPanel::openMenu);
     hiddenButton_->setObjectName("hiddenKinds");
@@ -80,6 +107,15 @@ ProblemsPanel::ProblemsPanel(Document* document, QWidget* parent)
 
 int ProblemsPanel::count() const {
     return list_->topLevelItemCount();
+}
+
+bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) {
+        // Lines wrap anew; later, for a bar that comes or goes resizes once more.
+        QMetaObject::invokeMethod(
+            list_, [this] { list_->doItemsLayout(); }, Qt::QueuedConnection);
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void ProblemsPanel::showMore(const Problems& problems) {

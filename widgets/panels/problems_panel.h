@@ -30,6 +30,9 @@ class ProblemsPanel : public QWidget {
     void elementChosen(simcore::project::ElementRef element);
     void countChanged(int count);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
     /// What is in the list: a mistake, or a finding.
     struct Entry {

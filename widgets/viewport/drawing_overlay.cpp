@@ -148,11 +148,12 @@ void DrawingOverlay::paintDimensions(QPainter& painter, const Projection& projec
         if (!a || !b || (*a - *b).manhattanLength() < kShortest) {
             continue;
         }
-        const QPointF away = line.vertical ? QPointF(-kAway, 0.0) : QPointF(0.0, kAway);
-        const double level = line.vertical ? std::min(a->x(), b->x()) + away.x()
-                                           : std::max(a->y(), b->y()) + away.y();
-        const QPointF from = line.vertical ? QPointF(level, a->y()) : QPointF(a->x(), level);
-        const QPointF to = line.vertical ? QPointF(level, b->y()) : QPointF(b->x(), level);
+        const bool vertical = std::abs(a->y() - b->y()) > std::abs(a->x() - b->x());
+        const QPointF away = vertical ? QPointF(-kAway, 0.0) : QPointF(0.0, kAway);
+        const double level =
+            vertical ? std::min(a->x(), b->x()) + away.x() : std::max(a->y(), b->y()) + away.y();
+        const QPointF from = vertical ? QPointF(level, a->y()) : QPointF(a->x(), level);
+        const QPointF to = vertical ? QPointF(level, b->y()) : QPointF(b->x(), level);
         painter.setPen(QPen(shade(palette(), QPalette::Text, 0.75F), 1.0));
         painter.drawLine(*a, from);
         painter.drawLine(*b, to);

@@ -25,7 +25,6 @@ struct DimensionLine {
     render::Vec3 from = render::Vec3::Zero();  ///< world [m]
     render::Vec3 to = render::Vec3::Zero();
     QString text;
-    bool vertical = false;  ///< beside, not below
 };
 
 /// Drawn over the 3-D view: handles, dimensions, a note at the pointer; rulers where the view is to

@@ -143,7 +143,7 @@ void DragEditor::showDimensions() {
                         from[other] = to[other] = std::min(from[other], to[other]);
                     }
                 }
-                lines.push_back({from, to, text.arg(millimetres(length)), false});
+                lines.push_back({from, to, text.arg(millimetres(length))});
             }
         };
         add(0, tr("wheelbase %1 mm"));
