@@ -72,6 +72,8 @@ void print(const statics::Study& study) {
     if (study.feasible) {
         fmt::print("required friction {:.4f}; least largest torque {:.4f} N m\n",
                    study.frictionRequired, study.minimumTorque);
+        fmt::print("least losses: squared torques {:.4f} N^2 m^2, with a friction of {:.4f}\n",
+                   study.leastSquares, study.leastSquaresRatio);
     }
     fmt::print("flags: {}\n", fmt::join(study.flags, ", "));
     if (!study.wheels.empty()) {

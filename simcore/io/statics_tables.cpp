@@ -51,7 +51,10 @@ Json toJson(const statics::Study& study) {
     json["optimal"] = nullptr;
     if (study.feasible) {
         json["optimal"] = {{"mu_required", study.frictionRequired},
-                           {"min_torque", study.minimumTorque}};
+                           {"min_torque", study.minimumTorque},
+                           {"min_energy",
+                            {{"torque_squares", study.leastSquares},
+                             {"max_ratio", numberOrNull(study.leastSquaresRatio)}}}};
     }
     json["tip_over_deg"] = study.tipOver / kPerDegree;
     json["rolling_conflict"] = study.rollingConflict;

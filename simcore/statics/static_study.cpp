@@ -129,6 +129,11 @@ Study studyContacts(StaticModel& model, const std::vector<Contact>& contacts,
     study.frictionRequired = best.friction;
     if (searched) {
         study.minimumTorque = traction.best(Objective::Torque).forces.maxTorque();
+        const Solution thrifty = traction.best(Objective::Energy);
+        study.leastSquaresRatio = thrifty.friction;
+        for (const double torque : thrifty.forces.torque) {
+            study.leastSquares += torque * torque;
+        }
     }
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const auto w = static_cast<std::size_t>(contacts[i].wheel);

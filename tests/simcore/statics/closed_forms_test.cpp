@@ -53,6 +53,11 @@ TEST(ClosedFormsTest, TwoAxlesOnASlope) {
         EXPECT_NEAR(study.wheels[2].normal + study.wheels[3].normal, weight * std::cos(a) - front,
                     1e-5 * weight);
         EXPECT_NEAR(study.frictionRequired, std::tan(std::abs(a)), 1e-6);
+        // Only the sum of the torques is asked for: the best shares are equal ones.
+        const double share = weight * std::abs(std::sin(a)) * numbers.radius / 4.0;
+        EXPECT_NEAR(study.minimumTorque, share, 1e-4);
+        EXPECT_NEAR(study.leastSquares, 4.0 * share * share, 1e-3);
+        EXPECT_GE(study.leastSquaresRatio, study.frictionRequired - 1e-6);
     }
 }
 
