@@ -46,11 +46,11 @@ struct Study {
     double equalMaxRatio = 0.0;         ///< [-]
     double frictionRequired = 0.0;      ///< mu* [-]
     double minimumTorque = 0.0;         ///< largest torque of the best for Objective::Torque
-    double leastSquares = 0.0;  ///< least sum of squared torques (Objective::Energy) [N^2 m^2]
-    double leastSquaresRatio = 0.0;     ///< friction that those torques ask for [-]
-    double tipOver = 0.0;               ///< least angle to tip over a side of the footholds [rad]
-    double rollingConflict = 0.0;       ///< slip that the joints force, per way of the chassis [-]
-    std::vector<WheelStudy> wheels;     ///< all, in the order of the mechanism
+    double leastSquares = 0.0;       ///< least sum of squared torques (Objective::Energy) [N^2 m^2]
+    double leastSquaresRatio = 0.0;  ///< friction that those torques ask for [-]
+    double tipOver = 0.0;            ///< least angle to tip over a side of the footholds [rad]
+    double rollingConflict = 0.0;    ///< slip that the joints force, per way of the chassis [-]
+    std::vector<WheelStudy> wheels;  ///< all, in the order of the mechanism
 };
 
 /// At the drawn pose. Problems: no such wheel, an angle beyond the upper half of the wheel, a rover

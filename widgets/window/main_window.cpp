@@ -333,6 +333,7 @@ void MainWindow::connectParts() {
         actions_->at("saveRecording")->setEnabled(session_->hasRun() && !recorded);
         actions_->at("runAgain")->setEnabled(recorded);
         actions_->at("keepRun")->setEnabled(session_->hasRun());
+        actions_->at("exportFilm")->setEnabled(session_->hasRun() && viewport_ != nullptr);
         updateTitle();
     };
     connect(session_, &RunSession::runChanged, this, updateForRun);

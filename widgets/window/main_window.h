@@ -139,6 +139,9 @@ class MainWindow : public QMainWindow {
     void showRecording(const std::shared_ptr<RecordedRun>& run);
     void stepForward();
     void saveScreenshot();
+    void saveFilm();
+    /// Shows the panels of a kind of work: "design", "simulate" or "compare".
+    void arrange(const QString& work);
     void showAbout();
     void showSystem();
     void tell(const QString& message);

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QProgressDialog>
 #include <QScreen>
 #include <QSettings>
 
@@ -17,6 +18,7 @@
 #include "widgets/session/run_library.h"
 #include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
+#include "widgets/window/film.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/recording_commands.h"
 
@@ -83,6 +85,10 @@ void MainWindow::makeFileActions() {
     actions_->add("screenshot", tr("3D &view as picture..."), {QKeySequence("Ctrl+Shift+V")},
                   tr("Save the 3D view as PNG"), [this] { saveScreenshot(); });
     actions_->at("screenshot")->setEnabled(viewport_ != nullptr);
+    actions_->add("exportFilm", tr("&Film of the 3D view..."), {},
+                  tr("Save the run as MP4, WebM or GIF, as fast as it is played, by ffmpeg"),
+                  [this] { saveFilm(); });
+    actions_->at("exportFilm")->setEnabled(false);
     actions_->add("quit", tr("&Quit"), {QKeySequence("Ctrl+Q"), QKeySequence("Ctrl+W")}, {},
                   [this] { close(); });
 
@@ -222,6 +228,17 @@ void MainWindow::makeViewActions() {
     }
     actions_->add("fullScreen", tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, {},
                   [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    for (const auto& [name, text, keys, tip] :
+         {std::tuple("design", tr("&Design"), "Ctrl+Shift+1",
+                     tr("Parts and mobility, the 3D view as large as it goes")),
+          std::tuple("simulate", tr("&Simulate"), "Ctrl+Shift+2",
+                     tr("The 3D view over run and plots")),
+          std::tuple("compare", tr("&Compare"), "Ctrl+Shift+3",
+                     tr("Plots as large as they go beside the table of runs"))}) {
+        const QString work = name;
+        actions_->add("arrange:" + work, text, {QKeySequence(keys)}, tip,
+                      [this, work] { arrange(work); });
+    }
     actions_->add("resetLayout", tr("&Reset panels"), {}, tr("All panels back to their places"),
                   [this] { restoreState(firstLayout_, kLayoutVersion); });
 }
@@ -302,7 +319,7 @@ void MainWindow::makeMenus() {
     file->addSeparator();
     fill(file, {"save", "saveAs", "saveRecording", ""});
     QMenu* exports = file->addMenu(tr("&Export"));
-    fill(exports, {"exportCsv", "exportPlots", "screenshot"});
+    fill(exports, {"exportCsv", "exportPlots", "screenshot", "exportFilm"});
     fill(file, {"", "quit"});
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     fill(edit,
@@ -317,7 +334,9 @@ void MainWindow::makeMenus() {
     view->addMenu(panelMenu_);
     QMenu* theme = view->addMenu(tr("T&heme"));
     fill(theme, {"themeDark", "themeLight"});
-    fill(view, {"resetLayout", "fullScreen"});
+    fill(view->addMenu(tr("&Arrangement")),
+         {"arrange:design", "arrange:simulate", "arrange:compare", "", "resetLayout"});
+    fill(view, {"fullScreen"});
     fill(menuBar()->addMenu(tr("&Run")),
          {"playPause", "step", "stepBack", "live", "reset", "runAgain", "", "keepRun", "experiment",
           "", "faster", "slower", "", "showDesign"});
@@ -339,6 +358,60 @@ void MainWindow::updateRecent() {
         recentMenu_->addSeparator();
         connect(recentMenu_->addAction(tr("&Clear list")), &QAction::triggered, files_,
                 &FileCommands::forgetRecentFiles);
+    }
+}
+
+void MainWindow::arrange(const QString& work) {
+    const auto dock = [this](const char* name) {
+        return findChild<QDockWidget*>(QString(name) + "Dock");
+    };
+    restoreState(firstLayout_, kLayoutVersion);
+    const bool designs = work == "design";
+    const bool compares = work == "compare";
+    dock("run")->setVisible(!designs);
+    dock("rover")->setVisible(designs);
+    showPanel(designs ? "mobility" : compares ? "compare" : "statics");
+    for (const char* name : {"mobility", "statics", "compare", "mass", "problems"}) {
+        // While one drives, the rover's own panels are in the way.
+        dock(name)->setVisible(designs || compares);
+    }
+    if (designs || compares) {
+        showPanel(designs ? "mobility" : "compare");
+    }
+    resizeDocks({dock("run")}, {compares ? height() * 3 / 5 : height() * 2 / 5}, Qt::Vertical);
+}
+
+void MainWindow::saveFilm() {
+    QString file = QFileDialog::getSaveFileName(this, tr("Save film of the 3D view"), "run.mp4",
+                                                tr("Films (*.mp4 *.webm *.gif)"));
+    if (file.isEmpty()) {
+        return;
+    }
+    if (QFileInfo(file).suffix().isEmpty()) {
+        file += ".mp4";
+        if (!mayReplace(this, file)) {
+            return;
+        }
+    }
+    FilmRequest request;
+    request.file = file;
+    request.from = plots_->window().first;
+    request.to = std::min(plots_->window().second, session_->endTime());
+    request.speed = session_->speedFactor() > 0.0 ? session_->speedFactor() : 1.0;
+    constexpr int kParts = 1000;
+    QProgressDialog progress(tr("Filming..."), tr("Cancel"), 0, kParts, this);
+    progress.setWindowModality(Qt::WindowModal);
+    progress.setMinimumDuration(0);
+    const auto problems = writeFilm(*session_, *viewport_, request, [&progress](double part) {
+        progress.setValue(static_cast<int>(part * (kParts - 1)));
+        return !progress.wasCanceled();
+    });
+    const bool cancelled = progress.wasCanceled();
+    progress.reset();
+    if (!problems.empty()) {
+        QMessageBox::warning(this, tr("Save film"), QString::fromStdString(toString(problems)));
+    } else if (!cancelled) {
+        tell(tr("Written: %1").arg(file));
     }
 }
 
