@@ -162,6 +162,36 @@ TEST_F(CompareTest, QuantitiesOfTheChassisAreOneCurveARun) {
                      row.at(static_cast<std::size_t>(channel)));
 }
 
+TEST_F(CompareTest, AMarkedInstantMakesTheTableTellChanges) {
+    ASSERT_TRUE(driveToTheEnd());
+    window->plots().setQuantity(0, "distance");
+    const auto pixelAt = [&](double time) {
+        return QPoint(static_cast<int>(plot()->xAxis->coordToPixel(time)),
+                      plot()->axisRect()->center().y());
+    };
+    ASSERT_TRUE(waitUntil([&] { return plot()->xAxis->range().upper < 1.6; }));
+    QTest::mouseClick(plot(), Qt::LeftButton, Qt::ShiftModifier, pixelAt(0.75));
+    QTest::mouseClick(plot(), Qt::LeftButton, {}, pixelAt(1.25));
+    const auto& recording = session().recording();
+    const int channel = simcore::run::findChannel(recording.channels, "distance", "chassis");
+    const auto at = [&](double time) {
+        return recording.rows.at(static_cast<std::size_t>(std::lround(100.0 * time)))
+            .at(static_cast<std::size_t>(channel));
+    };
+    QLabel* cell = nullptr;
+    for (QLabel* label : window->plots().findChildren<QLabel*>()) {
+        cell = label->accessibleName() == "Rover, plot 1" ? label : cell;
+    }
+    ASSERT_NE(cell, nullptr);
+    EXPECT_TRUE(waitUntil([&] {
+        return std::abs(cell->text().toDouble() - (at(1.25) - at(0.75))) < 0.003;
+    })) << cell->text().toStdString();
+    QTest::mouseClick(plot(), Qt::LeftButton, Qt::ShiftModifier, pixelAt(0.3));
+    QTest::mouseMove(plot(), pixelAt(1.25));
+    EXPECT_TRUE(waitUntil([&] { return std::abs(cell->text().toDouble() - at(1.25)) < 0.003; }))
+        << cell->text().toStdString();
+}
+
 TEST_F(CompareTest, AnEditMarksKeptRunsAsOlderAndUndoTakesTheMarkAway) {
     ASSERT_TRUE(driveToTheEnd());
     press(Qt::Key_K, Qt::ControlModifier);

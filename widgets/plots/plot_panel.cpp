@@ -88,6 +88,7 @@ struct PlotPanel::Impl {
     std::vector<std::size_t> plotted;     ///< rows that the curves of each have
     double from = 0.0, to = 10.0;
     std::optional<double> mouseTime;
+    std::optional<double> reference;  ///< differences are taken to this instant [s]
 
     std::array<std::unique_ptr<WheelPlot>, kMaxPlots> plots;
     std::array<QWidget*, kMaxPlots> columns{};
@@ -303,6 +304,7 @@ void PlotPanel::Impl::startRun() {
     if (follow->currentData().toDouble() == kFree) {
         follow->setCurrentIndex(0);
     }
+    reference.reset();
     takeData(true);
 }
 
@@ -559,7 +561,7 @@ void PlotPanel::Impl::replotAll() {
     followTime();
     for (int i = 0; i < count; ++i) {
         WheelPlot& plot = *plots.at(static_cast<std::size_t>(i));
-        plot.setMarks(session->shownTime(), mouseTime);
+        plot.setMarks(session->shownTime(), mouseTime, reference);
         plot.replot();
     }
     updateCells();
@@ -568,16 +570,23 @@ void PlotPanel::Impl::replotAll() {
 void PlotPanel::Impl::updateCells() {
     const auto& recording = session->recording();
     const double time = panel->cursorTime();
-    cursor->setText(recording.rows.size() > 1 ? PlotPanel::tr("Values at %1 s").arg(time, 0, 'f', 2)
-                                              : QString());
-    const auto after = std::lower_bound(recording.rows.begin(), recording.rows.end(), time - 1e-9,
-                                        [](const auto& row, double t) { return row[0] < t; });
     const bool any = !recording.rows.empty();
-    const std::size_t row =
-        any ? std::min<std::size_t>(
-                  static_cast<std::size_t>(std::distance(recording.rows.begin(), after)),
-                  recording.rows.size() - 1)
-            : 0;
+    cursor->setText(recording.rows.size() < 2 ? QString()
+                    : reference               ? PlotPanel::tr("From %1 to %2 s: change in %3 s")
+                                      .arg(*reference, 0, 'f', 2)
+                                      .arg(time, 0, 'f', 2)
+                                      .arg(time - *reference, 0, 'f', 2)
+                                : PlotPanel::tr("Values at %1 s").arg(time, 0, 'f', 2));
+    const auto rowAt = [&](double when) {
+        const auto after =
+            std::lower_bound(recording.rows.begin(), recording.rows.end(), when - 1e-9,
+                             [](const auto& row, double t) { return row[0] < t; });
+        return std::min<std::size_t>(
+            static_cast<std::size_t>(std::distance(recording.rows.begin(), after)),
+            recording.rows.size() - 1);
+    };
+    const std::size_t row = any ? rowAt(time) : 0;
+    const std::size_t before = any && reference ? rowAt(*reference) : 0;
     for (std::size_t line = 0; line < cells.size(); ++line) {
         const bool ofChassis = line == wheels.size();
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
@@ -587,10 +596,13 @@ void PlotPanel::Impl::updateCells() {
                     ? simcore::run::findChannel(recording.channels, q.quantity.toStdString(),
                                                 ofChassis ? "chassis" : wheels[line])
                     : -1;
-            cells[line].at(i)->setText(
-                any && channel >= 0
-                    ? cellText(recording.rows[row][static_cast<std::size_t>(channel)] * q.factor)
-                    : QString());
+            if (!any || channel < 0) {
+                cells[line].at(i)->clear();
+                continue;
+            }
+            const auto column = static_cast<std::size_t>(channel);
+            const double base = reference ? recording.rows[before][column] : 0.0;
+            cells[line].at(i)->setText(cellText((recording.rows[row][column] - base) * q.factor));
         }
     }
 }
@@ -610,7 +622,9 @@ void PlotPanel::Impl::updateHints() {
 bool PlotPanel::Impl::onMouse(int plot, QMouseEvent* event, bool clicked) {
     mouseTime = plots.at(static_cast<std::size_t>(plot))
                     ->timeAt(event->position().x(), event->position().y());
-    if (clicked && mouseTime && session->hasRun()) {
+    if (clicked && mouseTime && event->modifiers().testFlag(Qt::ShiftModifier)) {
+        reference = reference ? std::nullopt : mouseTime;
+    } else if (clicked && mouseTime && session->hasRun()) {
         session->scrub(std::clamp(*mouseTime, 0.0, end()));
     }
     schedule();

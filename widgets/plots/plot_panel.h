@@ -10,8 +10,8 @@ namespace widgets {
 
 /// Curves of the run over time, one per wheel, side by side: slip, torque, normal force, contact
 /// angle, speed; or one of the chassis. One cursor, one time window and one set of visible wheels
-/// for all plots; a table holds the values at the cursor. A click in a plot scrubs the run to that
-/// time.
+/// for all plots; a table holds the values at the cursor, or their changes since the instant that a
+/// click with Shift marked. A click in a plot scrubs the run to that time.
 class PlotPanel : public QWidget {
     Q_OBJECT
   public:

@@ -79,6 +79,7 @@ WheelPlot::WheelPlot(QWidget* parent)
     : plot_(new QCustomPlot(parent)),
       shown_(new QCPItemStraightLine(plot_)),
       mouse_(new QCPItemStraightLine(plot_)),
+      reference_(new QCPItemStraightLine(plot_)),
       hint_(new QCPItemText(plot_)) {
     plot_->setMinimumSize(200, 110);
     plot_->setMouseTracking(true);
@@ -94,11 +95,12 @@ WheelPlot::WheelPlot(QWidget* parent)
     plot_->yAxis->ticker()->setTickCount(4);
     plot_->yAxis->setNumberPrecision(4);
     plot_->yAxis->setNumberFormat("gb");
-    for (QCPItemStraightLine* line : {shown_, mouse_}) {
+    for (QCPItemStraightLine* line : {shown_, mouse_, reference_}) {
         line->point1->setCoords(0.0, 0.0);
         line->point2->setCoords(0.0, 1.0);
     }
     mouse_->setVisible(false);
+    reference_->setVisible(false);
     hint_->position->setType(QCPItemPosition::ptAxisRectRatio);
     hint_->position->setCoords(0.5, 0.5);
     hint_->setPositionAlignment(Qt::AlignCenter);
@@ -188,7 +190,8 @@ void WheelPlot::setWindow(double from, double to) {
                            range.upper + margin);
 }
 
-void WheelPlot::setMarks(double shownTime, std::optional<double> mouseTime) {
+void WheelPlot::setMarks(double shownTime, std::optional<double> mouseTime,
+                         std::optional<double> reference) {
     const auto place = [](QCPItemStraightLine* line, double time) {
         line->point1->setCoords(time, 0.0);
         line->point2->setCoords(time, 1.0);
@@ -196,6 +199,8 @@ void WheelPlot::setMarks(double shownTime, std::optional<double> mouseTime) {
     place(shown_, shownTime);
     place(mouse_, mouseTime.value_or(0.0));
     mouse_->setVisible(mouseTime.has_value());
+    place(reference_, reference.value_or(0.0));
+    reference_->setVisible(reference.has_value());
 }
 
 QString WheelPlot::hint() const {
@@ -219,6 +224,7 @@ void WheelPlot::applyColors(const QPalette& palette) {
     QColor mouse = palette.color(QPalette::Text);
     mouse.setAlphaF(0.6F);
     mouse_->setPen(QPen(mouse, 1.0, Qt::DashLine));
+    reference_->setPen(QPen(palette.color(QPalette::Highlight), 1.0, Qt::DashLine));
     hint_->setColor(palette.color(QPalette::PlaceholderText));
 }
 
@@ -252,10 +258,12 @@ void WheelPlot::replot() {
 void WheelPlot::paint(QPainter& painter, const QRect& place) {
     const bool marks = shown_->visible();
     const bool mouse = mouse_->visible();
+    const bool reference = reference_->visible();
     setColors(Qt::black, Qt::white, QColor(0, 0, 0, 36));
     colorChassisCurves(Qt::black);
     shown_->setVisible(false);
     mouse_->setVisible(false);
+    reference_->setVisible(false);
     // Two steps, for QCustomPlot paints from the origin in whatever device it is given.
     QPicture picture;
     QCPPainter recorder(&picture);
@@ -264,6 +272,7 @@ void WheelPlot::paint(QPainter& painter, const QRect& place) {
     painter.drawPicture(place.topLeft(), picture);
     shown_->setVisible(marks);
     mouse_->setVisible(mouse);
+    reference_->setVisible(reference);
     setColors(text_, background_, grid_);
     colorChassisCurves(text_);
 }

@@ -65,8 +65,10 @@ class WheelPlot {
     void setWheelShown(int wheel, bool shown);
     /// Shows this time window; the value axis fits the curves in it.
     void setWindow(double from, double to);
-    /// Vertical lines: the instant on show, and the one under the mouse.
-    void setMarks(double shownTime, std::optional<double> mouseTime);
+    /// Vertical lines: the instant on show, the one under the mouse, and the one that differences
+    /// are taken to.
+    void setMarks(double shownTime, std::optional<double> mouseTime,
+                  std::optional<double> reference);
     void setHint(const QString& text);
     QString hint() const;
     void applyColors(const QPalette& palette);
@@ -83,6 +85,7 @@ class WheelPlot {
     QCustomPlot* plot_;
     QCPItemStraightLine* shown_;
     QCPItemStraightLine* mouse_;
+    QCPItemStraightLine* reference_;
     QCPItemText* hint_;
     ShownQuantity quantity_;
     std::size_t objects_ = 0;   ///< curves a run

@@ -27,7 +27,8 @@ Problems cannot(const QString& file, const QString& reason, const QString& remed
 /// What ffmpeg is told for a file's ending; nothing when it is not known.
 QStringList encoderFor(const QString& ending) {
     static const std::map<QString, QStringList> kEncoders{
-        {"mp4", {"-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "20", "-movflags", "+faststart"}},
+        {"mp4",
+         {"-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "20", "-movflags", "+faststart"}},
         {"webm", {"-c:v", "libvpx-vp9", "-crf", "32", "-b:v", "0"}},
         {"gif", {"-vf", "split[a][b];[a]palettegen[p];[b][p]paletteuse"}}};
     const auto found = kEncoders.find(ending);
@@ -76,8 +77,10 @@ Problems writeFilm(RunSession& session, Viewport& viewport, const FilmRequest& r
     session.pause();
     const double shown = session.shownTime();
     const bool wasLive = session.isLive();
-    const QString part = QFileInfo(request.file).absoluteDir().filePath(
-        "." + QFileInfo(request.file).completeBaseName() + ".part." + ending);
+    const QString part =
+        QFileInfo(request.file)
+            .absoluteDir()
+            .filePath("." + QFileInfo(request.file).completeBaseName() + ".part." + ending);
     const double step = request.speed / request.rate;
     const auto count = static_cast<int>(std::floor((request.to - request.from) / step + 1e-9)) + 1;
 
@@ -85,11 +88,11 @@ Problems writeFilm(RunSession& session, Viewport& viewport, const FilmRequest& r
     const QSize size = picture.size();
     QProcess encoder;
     encoder.setProcessChannelMode(QProcess::MergedChannels);
-    encoder.start(program, QStringList{"-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt",
-                                       "rgb24", "-s",
-                                       QString("%1x%2").arg(size.width()).arg(size.height()), "-r",
-                                       QString::number(request.rate), "-i", "-"} +
-                               encoding + QStringList{part});
+    encoder.start(program,
+                  QStringList{"-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24",
+                              "-s", QString("%1x%2").arg(size.width()).arg(size.height()), "-r",
+                              QString::number(request.rate), "-i", "-"} +
+                      encoding + QStringList{part});
     bool good = encoder.waitForStarted(kStart_ms);
     bool ended = false;
     for (int i = 0; good && i < count; ++i) {

@@ -11,11 +11,11 @@ namespace widgets {
 
 /// What is to be filmed of the run on show.
 struct FilmRequest {
-    QString file;          ///< .mp4, .webm or .gif
-    double from = 0.0;     ///< [s], simulated
-    double to = 0.0;       ///< [s]
-    double speed = 1.0;    ///< simulated over film time
-    int rate = 25;         ///< pictures a second
+    QString file;        ///< .mp4, .webm or .gif
+    double from = 0.0;   ///< [s], simulated
+    double to = 0.0;     ///< [s]
+    double speed = 1.0;  ///< simulated over film time
+    int rate = 25;       ///< pictures a second
 };
 
 /// Writes the 3-D view of a run as a film, by the program ffmpeg: the view as large as it is, from
