@@ -182,7 +182,7 @@ int main(int argc, char** argv) {
     commands.add_option("--scenario", options.scenario, "scenario to choose");
     commands.add_option("--panel", options.panel, "panel to bring to the front")
         ->check(
-            CLI::IsMember({"rover", "mobility", "statics", "compare", "mass", "problems", "run"}));
+            CLI::IsMember({"rover", "mobility", "advisor", "motions", "statics", "compare", "mass", "problems", "run"}));
     const CLI::IsMember isController(
         simcore::project::allNames<simcore::project::ControllerKind>());
     commands.add_option("--controller", options.controller, "controller to choose")

@@ -83,8 +83,8 @@ class MainWindow : public QMainWindow {
     /// was not opened; says why.
     bool open(const QString& file);
     void setDark(bool dark);
-    /// Brings a panel to the front: "rover", "mobility", "statics", "mass",
-    /// "problems", "compare" or "run".
+    /// Brings a panel to the front: "rover", "mobility", "advisor" and "motions" (pages of it),
+    /// "statics", "mass", "problems", "compare" or "run".
     /// False when there is no such panel.
     bool showPanel(const QString& name);
     /// Window size, panels and theme as the user left them.
@@ -110,6 +110,7 @@ class MainWindow : public QMainWindow {
     void makeToolBar();
     void makeStatusBar();
     void connectParts();
+    void connectMobility();
 
     void onProjectChanged();
     void updateStatics();
