@@ -296,10 +296,13 @@ void AdvisorPage::choose(QTreeWidgetItem* item) {
 }
 
 void AdvisorPage::markSelected() {
+    if (!active_) {
+        return;
+    }
     QStringList joints;
     QStringList wheels;
     const Advice* advice = session_.advice();
-    if (isVisible() && advice != nullptr && !session_.isStale() && selected() >= 0) {
+    if (advice != nullptr && !session_.isStale() && selected() >= 0) {
         for (const JointChange& change :
              advice->proposals[static_cast<std::size_t>(selected())].changes) {
             for (const std::string& copy : change.copies) {
@@ -322,14 +325,16 @@ void AdvisorPage::apply() {
     }
 }
 
-void AdvisorPage::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    markSelected();
-}
-
-void AdvisorPage::hideEvent(QHideEvent* event) {
-    QWidget::hideEvent(event);
-    emit marked({}, {});
+void AdvisorPage::setActive(bool active) {
+    if (active == active_) {
+        return;
+    }
+    active_ = active;
+    if (active_) {
+        markSelected();
+    } else {
+        emit marked({}, {});
+    }
 }
 
 }  // namespace widgets

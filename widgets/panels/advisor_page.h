@@ -28,6 +28,8 @@ class AdvisorPage : public QWidget {
     void search();
     /// Proposal that is selected; -1: none.
     int selected() const;
+    /// Whether somebody looks at this page.
+    void setActive(bool active);
 
   signals:
     /// These joints and wheels of the mechanism, by name, are what the proposal changes.
@@ -35,10 +37,6 @@ class AdvisorPage : public QWidget {
     /// The user chose one changed joint, or the contact of a wheel.
     void jointChosen(const QString& joint);
     void wheelChosen(const QString& wheel);
-
-  protected:
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
 
   private:
     QWidget* makeButtons();
@@ -55,6 +53,7 @@ class AdvisorPage : public QWidget {
     Document* document_;
     AdvisorSession session_;
     QTimer tick_;
+    bool active_ = false;
     const simcore::mobility::Advice* listed_ = nullptr;
     QLabel* headline_ = nullptr;
     QLabel* text_ = nullptr;

@@ -203,13 +203,33 @@ QWidget* MobilityPanel::makePageButtons() {
         tr("Which joints to free so that nothing is redundant"));
     add(Page::Motions, tr("Free motions"), "pageMotions", tr("How it moves, to look at"));
     pageButtons_->button(0)->setChecked(true);
-    connect(pageButtons_, &QButtonGroup::idClicked, pages_, &QStackedWidget::setCurrentIndex);
+    connect(pageButtons_, &QButtonGroup::idClicked, this, &MobilityPanel::showPage);
     return row;
 }
 
 void MobilityPanel::setPage(Page page) {
     pageButtons_->button(static_cast<int>(page))->setChecked(true);
-    pages_->setCurrentIndex(static_cast<int>(page));
+    showPage();
+}
+
+void MobilityPanel::setActive(bool active) {
+    active_ = active;
+    showPage();
+}
+
+void MobilityPanel::showPage() {
+    const int page = pageButtons_->checkedId();
+    pages_->setCurrentIndex(page);
+    const bool advisor = active_ && page == static_cast<int>(Page::Advisor);
+    const bool motions = active_ && page == static_cast<int>(Page::Motions);
+    // The one that leaves goes first: what it marked must not end what the other marks.
+    if (advisor) {
+        motions_->setActive(false);
+        advisor_->setActive(true);
+    } else {
+        advisor_->setActive(false);
+        motions_->setActive(motions);
+    }
 }
 
 void MobilityPanel::connectPages() {

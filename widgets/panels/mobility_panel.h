@@ -33,6 +33,8 @@ class MobilityPanel : public QWidget {
     enum class Page { Counts, Advisor, Motions };
 
     void setPage(Page page);
+    /// Whether the panel is on show: a dock behind another counts as hidden.
+    void setActive(bool active);
 
     AdvisorPage& advisor() { return *advisor_; }
 
@@ -57,6 +59,7 @@ class MobilityPanel : public QWidget {
     void buildTable(QGridLayout* grid);
     QWidget* makePageButtons();
     void connectPages();
+    void showPage();
     void refresh();
     void showTable();
     void showConstraints();
@@ -75,6 +78,7 @@ class MobilityPanel : public QWidget {
     QLabel* listTitle_ = nullptr;
     QTreeWidget* list_ = nullptr;
     std::array<std::array<QLabel*, 2>, kQuantities> cells_{};
+    bool active_ = true;
     bool refreshing_ = false;
 };
 

@@ -84,7 +84,7 @@ MotionPage::MotionPage(Document* document, QWidget* parent)
     connect(document_, &Document::changed, this, [this] {
         stop();
         outdated_ = true;
-        if (isVisible()) {
+        if (active_) {
             refresh();
         }
     });
@@ -151,7 +151,7 @@ void MotionPage::setModel(Model model) {
     models_->button(static_cast<int>(model))->setChecked(true);
     stop();
     outdated_ = true;
-    if (isVisible()) {
+    if (active_) {
         refresh();
     }
 }
@@ -198,8 +198,8 @@ void MotionPage::showSelected() {
         note_->setText(noteOn(*swing));
     }
     since_.start();
-    emit marked(isVisible() && swing != nullptr && swing->idle ? QString::fromStdString(swing->body)
-                                                               : QString());
+    emit marked(active_ && swing != nullptr && swing->idle ? QString::fromStdString(swing->body)
+                                                           : QString());
 }
 
 void MotionPage::play(bool on) {
@@ -231,19 +231,19 @@ void MotionPage::stop() {
     }
 }
 
-void MotionPage::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    if (outdated_) {
+void MotionPage::setActive(bool active) {
+    if (active == active_) {
+        return;
+    }
+    active_ = active;
+    if (!active_) {
+        stop();
+        emit marked({});
+    } else if (outdated_) {
         refresh();
     } else {
         showSelected();
     }
-}
-
-void MotionPage::hideEvent(QHideEvent* event) {
-    QWidget::hideEvent(event);
-    stop();
-    emit marked({});
 }
 
 }  // namespace widgets

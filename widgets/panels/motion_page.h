@@ -31,6 +31,8 @@ class MotionPage : public QWidget {
     /// Shows where the swing is after `turns` of its period [-].
     void showPhase(double turns);
     void setModel(simcore::mobility::Model model);
+    /// Whether somebody looks at this page.
+    void setActive(bool active);
 
   signals:
     /// The bodies of the design stand like this for a moment.
@@ -41,10 +43,6 @@ class MotionPage : public QWidget {
     void marked(const QString& body);
     /// The user chose the other model.
     void modelChosen(simcore::mobility::Model model);
-
-  protected:
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
 
   private:
     QWidget* makeModels();
@@ -57,6 +55,7 @@ class MotionPage : public QWidget {
     Document* document_;
     simcore::mobility::Model model_ = simcore::mobility::Model::Built;
     std::vector<simcore::mobility::Swing> motions_;
+    bool active_ = false;
     bool outdated_ = true;
     bool moved_ = false;  ///< posesShown() was emitted, ended() was not
     QTimer timer_;

@@ -353,6 +353,7 @@ void MainWindow::connectMobility() {
                 };
                 link_->mark(names(joints), names(bodies));
             });
+    connect(mobilityDock_, &QDockWidget::visibilityChanged, mobility_, &MobilityPanel::setActive);
     MotionPage* motions = &mobility_->motions();
     connect(motions, &MotionPage::posesShown, link_, &SceneLink::showMotion);
     connect(motions, &MotionPage::ended, link_, &SceneLink::leaveMotion);
