@@ -252,8 +252,9 @@ TEST_F(AdvisorPanelTest, SwingMovesTheBodiesAndKeepsLoopsClosed) {
     ASSERT_EQ(motions().motions().size(), 1U);
     EXPECT_EQ(text("motionTitle"), "Free motion 1 of 1");
     EXPECT_LT(moved(), 1e-12);
-    QTest::mouseClick(find<QToolButton>("motionPlay"), Qt::LeftButton);
+    QTest::mouseClick(button("motionPlay"), Qt::LeftButton);
     EXPECT_TRUE(motions().isPlaying());
+    EXPECT_EQ(button("motionPlay")->text(), "Stop");
     EXPECT_TRUE(waitUntil([&] { return moved() > 1e-3; }));
     double most = 0.0;
     for (double turns = 0.0; turns < 1.0; turns += 0.013) {
@@ -262,13 +263,13 @@ TEST_F(AdvisorPanelTest, SwingMovesTheBodiesAndKeepsLoopsClosed) {
         EXPECT_LT(gap(), 1e-3);
     }
     EXPECT_NEAR(most, 0.05 * mechanism().wheelbase(), 0.01 * mechanism().wheelbase());
-    QTest::mouseClick(find<QToolButton>("motionPlay"), Qt::LeftButton);
+    QTest::mouseClick(button("motionPlay"), Qt::LeftButton);
     EXPECT_FALSE(motions().isPlaying());
     EXPECT_LT(moved(), 1e-12);
 }
 
 TEST_F(AdvisorPanelTest, SwingEndsWithEditsRunsAndOtherPanels) {
-    auto* play = find<QToolButton>("motionPlay");
+    auto* play = button("motionPlay");
     const auto swing = [&] {
         showMotions();
         QTest::mouseClick(play, Qt::LeftButton);
@@ -314,7 +315,8 @@ TEST_F(AdvisorPanelTest, IdleFreedomsAreListedAndTheirBodyIsMarked) {
         const int body =
             mechanism().findBody(motions().motions()[static_cast<std::size_t>(row)].body);
         EXPECT_EQ(window->scene().markedBodies(), std::vector<int>{body});
-        QTest::mouseClick(find<QToolButton>("motionPlay"), Qt::LeftButton);
+        EXPECT_EQ(window->scene().markedJoints().size(), 2U);
+        QTest::mouseClick(button("motionPlay"), Qt::LeftButton);
         motions().showPhase(0.25);
         EXPECT_GT(
             window->scene().bodyPose(body).rotation.angularDistance(Eigen::Quaterniond::Identity()),

@@ -234,9 +234,10 @@ void MobilityPanel::showPage() {
 
 void MobilityPanel::connectPages() {
     connect(motions_, &MotionPage::modelChosen, this, &MobilityPanel::setModel);
-    connect(motions_, &MotionPage::marked, this, [this](const QString& body) {
-        emit marked({}, body.isEmpty() ? QStringList() : QStringList{body});
-    });
+    connect(motions_, &MotionPage::marked, this,
+            [this](const QStringList& joints, const QString& body) {
+                emit marked(joints, body.isEmpty() ? QStringList() : QStringList{body});
+            });
     const auto& derived = document_->derived();
     connect(advisor_, &AdvisorPage::marked, this,
             [this, &derived](const QStringList& joints, const QStringList& wheels) {

@@ -6,7 +6,6 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <array>
@@ -67,6 +66,7 @@ MotionPage::MotionPage(Document* document, QWidget* parent)
     list_->setFrameShape(QFrame::NoFrame);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setMinimumHeight(60);
+    list_->setSpacing(2);
     note_->setObjectName("motionNote");
     note_->setAccessibleName(tr("What to know of this motion"));
     note_->setWordWrap(true);
@@ -114,15 +114,11 @@ QWidget* MotionPage::makeModels() {
 }
 
 QWidget* MotionPage::makeControls() {
-    play_ = new QToolButton;
+    play_ = new QPushButton(tr("Swing"));
     play_->setObjectName("motionPlay");
     play_->setCheckable(true);
-    play_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    play_->setIcon(style()->standardIcon(QStyle::SP_MediaPlay));
-    play_->setText(tr("Swing"));
     play_->setAccessibleName(tr("Swing along the free motion"));
     play_->setToolTip(tr("Swing the bodies to and fro along the chosen motion"));
-    play_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     next_ = new QToolButton;
     next_->setObjectName("motionNext");
     next_->setArrowType(Qt::RightArrow);
@@ -134,7 +130,7 @@ QWidget* MotionPage::makeControls() {
     layout->setSpacing(4);
     layout->addWidget(play_, 1);
     layout->addWidget(next_);
-    connect(play_, &QToolButton::toggled, this, &MotionPage::play);
+    connect(play_, &QPushButton::toggled, this, &MotionPage::play);
     connect(next_, &QToolButton::clicked, this, [this] {
         if (list_->count() > 0) {
             list_->setCurrentRow((list_->currentRow() + 1) % list_->count());
@@ -198,8 +194,32 @@ void MotionPage::showSelected() {
         note_->setText(noteOn(*swing));
     }
     since_.start();
-    emit marked(active_ && swing != nullptr && swing->idle ? QString::fromStdString(swing->body)
-                                                           : QString());
+    markIdle();
+}
+
+void MotionPage::markIdle() {
+    const Swing* swing = selected();
+    const auto& mechanism = document_->derived().mechanism;
+    QStringList joints;
+    QString body;
+    if (swing != nullptr && swing->idle && mechanism) {
+        const int index = mechanism->findBody(swing->body);
+        for (const auto& joint : mechanism->joints) {
+            if (joint.first == index || joint.second == index) {
+                joints << QString::fromStdString(joint.name);
+            }
+        }
+        body = QString::fromStdString(swing->body);
+    }
+    if (active_) {
+        emit marked(joints, body);
+    }
+}
+
+void MotionPage::showPlaying() {
+    const QSignalBlocker quiet(play_);
+    play_->setChecked(isPlaying());
+    play_->setText(isPlaying() ? tr("Stop") : tr("Swing"));
 }
 
 void MotionPage::play(bool on) {
@@ -209,6 +229,7 @@ void MotionPage::play(bool on) {
     }
     since_.start();
     timer_.start();
+    showPlaying();
     showPhase(0.0);
 }
 
@@ -221,10 +242,7 @@ void MotionPage::showPhase(double turns) {
 
 void MotionPage::stop() {
     timer_.stop();
-    {
-        const QSignalBlocker quiet(play_);
-        play_->setChecked(false);
-    }
+    showPlaying();
     if (moved_) {
         moved_ = false;
         emit ended();
@@ -238,7 +256,7 @@ void MotionPage::setActive(bool active) {
     active_ = active;
     if (!active_) {
         stop();
-        emit marked({});
+        emit marked({}, {});
     } else if (outdated_) {
         refresh();
     } else {

@@ -12,6 +12,7 @@
 class QButtonGroup;
 class QLabel;
 class QListWidget;
+class QPushButton;
 class QToolButton;
 
 namespace widgets {
@@ -39,8 +40,9 @@ class MotionPage : public QWidget {
     void posesShown(const std::vector<simcore::Pose>& bodies);
     /// They stand as before again.
     void ended();
-    /// This body of the mechanism, by name, is what an idle motion is about; "" = none.
-    void marked(const QString& body);
+    /// This body of the mechanism, by name, is what an idle motion is about, with the joints that
+    /// hold it; "" = none.
+    void marked(const QStringList& joints, const QString& body);
     /// The user chose the other model.
     void modelChosen(simcore::mobility::Model model);
 
@@ -50,6 +52,8 @@ class MotionPage : public QWidget {
     void refresh();
     void showSelected();
     void play(bool on);
+    void showPlaying();
+    void markIdle();
     const simcore::mobility::Swing* selected() const;
 
     Document* document_;
@@ -65,7 +69,7 @@ class MotionPage : public QWidget {
     QListWidget* list_ = nullptr;
     QLabel* note_ = nullptr;
     QToolButton* next_ = nullptr;
-    QToolButton* play_ = nullptr;
+    QPushButton* play_ = nullptr;
 };
 
 }  // namespace widgets
