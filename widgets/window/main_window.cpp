@@ -27,6 +27,7 @@
 #include "widgets/editors/property_panel.h"
 #include "widgets/panels/advisor_page.h"
 #include "widgets/panels/compare_panel.h"
+#include "widgets/panels/graph_panel.h"
 #include "widgets/panels/mass_panel.h"
 #include "widgets/panels/mobility_panel.h"
 #include "widgets/panels/motion_page.h"
@@ -174,6 +175,27 @@ void MainWindow::makeDocks() {
          {rover, mobilityDock_, staticsDock_, compare, mass, problemsDock_, runDock}) {
         panelMenu_->addAction(dock->toggleViewAction());
     }
+    makeGraphDock();
+}
+
+void MainWindow::makeGraphDock() {
+    graph_ = new GraphPanel(document_);
+    auto* dock = new QDockWidget(tr("Joint graph"), this);
+    dock->setObjectName("graphDock");
+    dock->setAccessibleName(dock->windowTitle());
+    dock->setWidget(graph_);
+    addDockWidget(Qt::BottomDockWidgetArea, dock);
+    // A window of its own at first: it wants more room than the panels have.
+    dock->setFloating(true);
+    dock->resize(1040, 620);
+    dock->hide();
+    panelMenu_->addAction(dock->toggleViewAction());
+    connect(dock, &QDockWidget::visibilityChanged, graph_, &GraphPanel::setActive);
+    connect(graph_, &GraphPanel::jointChosen, this,
+            [this](const QString& joint) { selectJoint(joint.toStdString()); });
+    connect(graph_, &GraphPanel::bodyChosen, this,
+            [this](const QString& body) { selectBody(body.toStdString()); });
+    connect(link_, &SceneLink::highlightChanged, graph_, &GraphPanel::select);
 }
 
 QWidget* MainWindow::makeLeftPanel() {
@@ -340,6 +362,7 @@ void MainWindow::connectMobility() {
     });
     connect(mobility_, &MobilityPanel::modelChanged, this, [this] {
         link_->setModel(mobility_->model());
+        graph_->setModel(mobility_->model());
         updateStatus();
     });
     connect(mobility_, &MobilityPanel::marked, this,

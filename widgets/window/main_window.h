@@ -21,6 +21,7 @@ class ActionRegistry;
 class ComparePanel;
 class Experiment;
 class FileCommands;
+class GraphPanel;
 class ManualDrive;
 class MassPanel;
 class MobilityPanel;
@@ -84,7 +85,7 @@ class MainWindow : public QMainWindow {
     bool open(const QString& file);
     void setDark(bool dark);
     /// Brings a panel to the front: "rover", "mobility", "advisor" and "motions" (pages of it),
-    /// "statics", "mass", "problems", "compare" or "run".
+    /// "graph", "statics", "mass", "problems", "compare" or "run".
     /// False when there is no such panel.
     bool showPanel(const QString& name);
     /// Window size, panels and theme as the user left them.
@@ -111,6 +112,7 @@ class MainWindow : public QMainWindow {
     void makeStatusBar();
     void connectParts();
     void connectMobility();
+    void makeGraphDock();
 
     void onProjectChanged();
     void updateStatics();
@@ -153,6 +155,7 @@ class MainWindow : public QMainWindow {
     PropertyPanel* properties_ = nullptr;
     QTabWidget* editors_ = nullptr;
     MobilityPanel* mobility_ = nullptr;
+    GraphPanel* graph_ = nullptr;
     MassPanel* mass_ = nullptr;
     ProblemsPanel* problems_ = nullptr;
     RunBar* runBar_ = nullptr;

@@ -260,6 +260,7 @@ void SceneLink::highlightJoint(const std::string& joint) {
     highlightedJoint_ = joint;
     highlightedBody_.clear();
     showHighlight();
+    emit highlightChanged(QString::fromStdString(joint), {});
     redraw();
 }
 
@@ -267,6 +268,7 @@ void SceneLink::highlightBody(const std::string& body) {
     highlightedBody_ = body;
     highlightedJoint_.clear();
     showHighlight();
+    emit highlightChanged({}, QString::fromStdString(body));
     redraw();
 }
 

@@ -63,6 +63,8 @@ class SceneLink : public QObject {
     void leaveMotion();
 
   signals:
+    /// Another joint or body is highlighted, by name; "" = none.
+    void highlightChanged(const QString& joint, const QString& body);
     /// Why the terrain cannot be shown.
     void problems(const simcore::Problems& problems);
 

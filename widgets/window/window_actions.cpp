@@ -191,6 +191,8 @@ void MainWindow::makeRunActions() {
                   });
     actions_->add("showMotions", tr("&Free motions"), {QKeySequence("Ctrl+Shift+W")},
                   tr("Show how the rover can move"), [this] { showPanel("motions"); });
+    actions_->add("showGraph", tr("Joint &graph"), {QKeySequence("Ctrl+G")},
+                  tr("Draw bodies and joints as a graph"), [this] { showPanel("graph"); });
     actions_->add("showStatics", tr("&Statics"), {QKeySequence("Ctrl+T")},
                   tr("Show the statics panel"), [this] { showPanel("statics"); });
     actions_->add("showCompare", tr("&Compare"), {QKeySequence("Ctrl+Shift+X")},
@@ -242,8 +244,8 @@ void MainWindow::makeMenus() {
     fill(menuBar()->addMenu(tr("&Run")),
          {"playPause", "step", "stepBack", "live", "reset", "runAgain", "", "keepRun", "experiment",
           "", "faster", "slower", "", "showDesign"});
-    fill(menuBar()->addMenu(tr("&Analyze")),
-         {"showMobility", "advise", "showMotions", "showStatics", "showCompare", "showProblems"});
+    fill(menuBar()->addMenu(tr("&Analyze")), {"showMobility", "advise", "showMotions", "showGraph",
+                                              "showStatics", "showCompare", "showProblems"});
     fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "system", "", "about"});
 }
 
