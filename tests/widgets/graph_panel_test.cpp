@@ -71,8 +71,10 @@ TEST_F(GraphPanelTest, DrawsEveryBodyJointAndContact) {
     }
     EXPECT_EQ(couldGo(), static_cast<int>(elements.size()));
     // The whole is in view.
-    EXPECT_TRUE(view().mapToScene(view().viewport()->rect()).boundingRect().contains(
-        view().scene()->itemsBoundingRect()));
+    EXPECT_TRUE(view()
+                    .mapToScene(view().viewport()->rect())
+                    .boundingRect()
+                    .contains(view().scene()->itemsBoundingRect()));
 }
 
 TEST_F(GraphPanelTest, FollowsTheModelAndEdits) {

@@ -2,6 +2,7 @@
 
 #include <QGraphicsPathItem>
 #include <QGraphicsScene>
+#include <QGraphicsSceneMouseEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -45,53 +46,78 @@ QPalette paletteOf(const QStyleOptionGraphicsItem* option, const QWidget* widget
     return widget != nullptr ? widget->palette() : option->palette;
 }
 
-/// An edge with its number of freedoms; wide enough to be hit.
+/// A joint or a contact; wide enough to be hit.
 class EdgeItem : public QGraphicsPathItem {
   public:
-    /// @param badge  where along the path the number stands, 0 to 1
-    EdgeItem(const QPainterPath& path, double badge, int freedoms, bool removable)
+    EdgeItem(const QPainterPath& path, bool removable)
         : QGraphicsPathItem(path),
-          middle_(path.pointAtPercent(badge)),
-          freedoms_(freedoms),
           removable_(removable) {
         setFlag(ItemIsSelectable);
-        setZValue(removable ? 1.0 : 0.0);
+    }
+
+    QColor color(const QPalette& palette) const {
+        return isSelected() ? palette.color(QPalette::Highlight)
+               : removable_ ? kRemovable
+                            : palette.color(QPalette::Disabled, QPalette::Text);
     }
 
     QPainterPath shape() const override {
         QPainterPathStroker stroker;
         stroker.setWidth(10.0);
-        QPainterPath outline = stroker.createStroke(path());
-        outline.addEllipse(middle_, kBadge, kBadge);
-        return outline;
+        return stroker.createStroke(path());
     }
 
     QRectF boundingRect() const override {
+        // With the number, which is drawn anew when the edge is.
         const double margin = kBadge + 3.0;
         return path().boundingRect().adjusted(-margin, -margin, margin, margin);
     }
 
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option,
                QWidget* widget) override {
-        const QPalette palette = paletteOf(option, widget);
-        const QColor color = isSelected() ? palette.color(QPalette::Highlight)
-                             : removable_ ? kRemovable
-                                          : palette.color(QPalette::Disabled, QPalette::Text);
-        painter->setPen(QPen(color, isSelected() ? 3.5 : 1.8));
-        painter->setBrush(Qt::NoBrush);
+        painter->setPen(QPen(color(paletteOf(option, widget)), isSelected() ? 3.5 : 1.8));
         painter->drawPath(path());
-        painter->setBrush(isSelected() ? color : palette.color(QPalette::Base));
-        painter->drawEllipse(middle_, kBadge, kBadge);
-        painter->setPen(isSelected() ? palette.color(QPalette::HighlightedText)
-                                     : palette.color(QPalette::Text));
-        painter->drawText(QRectF(middle_ - QPointF(kBadge, kBadge), 2.0 * QSizeF(kBadge, kBadge)),
-                          Qt::AlignCenter, QString::number(freedoms_));
     }
 
   private:
-    QPointF middle_;
-    int freedoms_;
     bool removable_;
+};
+
+/// The number of freedoms on an edge, above all edges; a click on it means the edge.
+class BadgeItem : public QGraphicsItem {
+  public:
+    /// @param place  along the edge, 0 to 1
+    BadgeItem(EdgeItem* edge, double place, int freedoms) : edge_(edge), freedoms_(freedoms) {
+        setPos(edge->path().pointAtPercent(place));
+        setZValue(1.0);
+        setToolTip(edge->toolTip());
+    }
+
+    QRectF boundingRect() const override {
+        return {-kBadge - 2.0, -kBadge - 2.0, 2.0 * kBadge + 4.0, 2.0 * kBadge + 4.0};
+    }
+
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem* option,
+               QWidget* widget) override {
+        const QPalette palette = paletteOf(option, widget);
+        const bool chosen = edge_->isSelected();
+        painter->setPen(QPen(edge_->color(palette), 1.8));
+        painter->setBrush(palette.color(chosen ? QPalette::Highlight : QPalette::Base));
+        painter->drawEllipse(QPointF(), kBadge, kBadge);
+        painter->setPen(palette.color(chosen ? QPalette::HighlightedText : QPalette::Text));
+        painter->drawText(boundingRect(), Qt::AlignCenter, QString::number(freedoms_));
+    }
+
+  protected:
+    void mousePressEvent(QGraphicsSceneMouseEvent* event) override {
+        scene()->clearSelection();
+        edge_->setSelected(true);
+        event->accept();
+    }
+
+  private:
+    EdgeItem* edge_;
+    int freedoms_;
 };
 
 /// A body, or the ground.
@@ -297,7 +323,7 @@ void GraphPanel::drawEdges() {
         }
         const int count = removable[{edge.joint, edge.wheel}];
         const QPainterPath path = curve(edge, aside);
-        auto* item = new EdgeItem(path, freePlace(path, taken), freedoms, count > 0);
+        auto* item = new EdgeItem(path, count > 0);
         item->setData(kNameRole, name);
         item->setData(kIsJointRole, edge.joint >= 0);
         item->setData(kIsContactRole, edge.joint < 0);
@@ -309,6 +335,7 @@ void GraphPanel::drawEdges() {
                              .arg(6 - freedoms)
                              .arg(count));
         view_->scene()->addItem(item);
+        view_->scene()->addItem(new BadgeItem(item, freePlace(path, taken), freedoms));
     }
 }
 
