@@ -136,6 +136,7 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     list_->setHeaderHidden(true);
     list_->setUniformRowHeights(true);
     list_->setFrameShape(QFrame::NoFrame);
+    list_->setObjectName("removableList");
     list_->setAccessibleName(tr("Removable constraints"));
     list_->setMinimumHeight(90);
     list_->header()->setStretchLastSection(false);
