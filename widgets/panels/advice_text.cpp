@@ -28,7 +28,7 @@ QString fromTo(const char* name, int from, int to) {
 }  // namespace
 
 QString changeText(const JointChange& change) {
-    const QString text =
+    QString text =
         change.wheel >= 0
             ? say(QT_TRANSLATE_NOOP("widgets::AdvisorPage", "%1: held → free sideways"))
                   .arg(QString::fromStdString(change.element))

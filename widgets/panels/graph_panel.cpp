@@ -315,7 +315,8 @@ void GraphPanel::drawEdges() {
             freedoms = static_cast<int>(freedomsOf(joint, model_).size());
             const auto ends = std::minmax(joint.first, joint.second);
             const int earlier = between[{ends.first, ends.second}]++;
-            aside = (earlier % 2 == 0 ? 1.0 : -1.0) * 30.0 * ((earlier + 1) / 2);
+            const int steps = (earlier + 1) / 2;  // to either side in turn
+            aside = (earlier % 2 == 0 ? 30.0 : -30.0) * steps;
         } else {
             const auto& wheel = mechanism.wheels[static_cast<std::size_t>(edge.wheel)];
             name = QString::fromStdString(wheel.name);
