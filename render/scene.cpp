@@ -80,6 +80,7 @@ struct Scene::Impl {
     std::vector<int> freedomCounts;
     int highlightedJoint = -1;
     int highlightedBody = -1;
+    std::vector<int> markedJoints, markedBodies;
 
     osg::ref_ptr<osg::Group> root = new osg::Group;
     osg::ref_ptr<osg::Group> rover = new osg::Group;
@@ -103,6 +104,7 @@ struct Scene::Impl {
     void buildGround();
     void place();
     void buildOverlays();
+    void applyHighlights();
     void applySwitches();
     Vec3 focus() const;
     double groundBelow(const Vec3& p) const;
@@ -229,6 +231,14 @@ void Scene::Impl::place() {
     buildOverlays();
 }
 
+void Scene::Impl::applyHighlights() {
+    for (std::size_t i = 0; i < highlights.size(); ++i) {
+        const bool marked = std::find(markedBodies.begin(), markedBodies.end(),
+                                      static_cast<int>(i)) != markedBodies.end();
+        highlights[i]->set(marked || static_cast<int>(i) == highlightedBody ? 1.0F : 0.0F);
+    }
+}
+
 void Scene::Impl::buildOverlays() {
     overlays->removeChildren(0, overlays->getNumChildren());
     const auto add = [this](const char* name, const osg::ref_ptr<osg::Node>& node) {
@@ -263,12 +273,17 @@ void Scene::Impl::buildOverlays() {
         const auto& joint = mechanism.joints[i];
         return Vec3(snapshot.bodies[static_cast<std::size_t>(joint.first)] * joint.point);
     };
-    if (highlightedJoint >= 0) {
-        const auto i = static_cast<std::size_t>(highlightedJoint);
+    const auto ring = [&](const char* name, int index, double radius) {
+        const auto i = static_cast<std::size_t>(index);
         const auto& joint = mechanism.joints[i];
         const Pose& carrier = snapshot.bodies[static_cast<std::size_t>(joint.first)];
-        add("highlighted joint",
-            makeRing(jointPlace(i), carrier.rotation * joint.axis, 0.09 * size));
+        add(name, makeRing(jointPlace(i), carrier.rotation * joint.axis, radius));
+    };
+    for (const int joint : markedJoints) {
+        ring("marked joint", joint, 0.055 * size);
+    }
+    if (highlightedJoint >= 0) {
+        ring("highlighted joint", highlightedJoint, 0.09 * size);
     }
     std::vector<Badge> labels;
     if (shown.jointFreedoms && freedomCounts.size() == mechanism.joints.size()) {
@@ -296,6 +311,8 @@ void Scene::setMechanism(const Mechanism& mechanism) {
     impl_->mechanism = mechanism;
     impl_->freedomCounts.clear();
     impl_->highlightedJoint = impl_->highlightedBody = -1;
+    impl_->markedJoints.clear();
+    impl_->markedBodies.clear();
     impl_->trail.clear();
     impl_->buildRover();
     showDrawnPose();
@@ -371,9 +388,30 @@ void Scene::highlightBody(int body) {
         throw std::invalid_argument("There is no such body.");
     }
     impl_->highlightedBody = std::max(body, -1);
-    for (std::size_t i = 0; i < impl_->highlights.size(); ++i) {
-        impl_->highlights[i]->set(static_cast<int>(i) == body ? 1.0F : 0.0F);
+    impl_->applyHighlights();
+}
+
+void Scene::mark(std::vector<int> joints, std::vector<int> bodies) {
+    const auto within = [](const std::vector<int>& indices, std::size_t count) {
+        return std::all_of(indices.begin(), indices.end(), [&](int index) {
+            return index >= 0 && index < static_cast<int>(count);
+        });
+    };
+    if (!within(joints, impl_->mechanism.joints.size()) || !within(bodies, impl_->bodies.size())) {
+        throw std::invalid_argument("There is no such joint or body.");
     }
+    impl_->markedJoints = std::move(joints);
+    impl_->markedBodies = std::move(bodies);
+    impl_->applyHighlights();
+    impl_->buildOverlays();
+}
+
+const std::vector<int>& Scene::markedJoints() const {
+    return impl_->markedJoints;
+}
+
+const std::vector<int>& Scene::markedBodies() const {
+    return impl_->markedBodies;
 }
 
 int Scene::highlightedJoint() const {

@@ -98,7 +98,12 @@ class Scene {
     /// -1: none.
     void highlightJoint(int joint);
     void highlightBody(int body);
-    /// What is marked now; -1: nothing.
+    /// Rings about several joints and a glow on several bodies, beside what is highlighted, until
+    /// marked anew or another rover is shown. std::invalid_argument when there is no such one.
+    void mark(std::vector<int> joints, std::vector<int> bodies);
+    const std::vector<int>& markedJoints() const;
+    const std::vector<int>& markedBodies() const;
+    /// What is highlighted now; -1: nothing.
     int highlightedJoint() const;
     int highlightedBody() const;
     void clearTrail();

@@ -209,8 +209,8 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember({"dark", "light"}));
     commands.add_option("--scenario", options.scenario, "scenario to choose");
     commands.add_option("--panel", options.panel, "panel to bring to the front")
-        ->check(CLI::IsMember(
-            {"rover", "mobility", "statics", "compare", "mass", "problems", "history", "run"}));
+        ->check(CLI::IsMember({"rover", "mobility", "advisor", "motions", "statics", "compare",
+                               "mass", "problems", "history", "run"}));
     const CLI::IsMember isController(
         simcore::project::allNames<simcore::project::ControllerKind>());
     commands.add_option("--controller", options.controller, "controller to choose")

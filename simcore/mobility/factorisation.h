@@ -18,6 +18,11 @@ struct Factorisation {
     explicit Factorisation(const Eigen::MatrixXd& jacobian);
 };
 
+/// Columns: independent free motions, out of the span of `motions`, that move neither chassis nor
+/// wheels. In a mechanism without wheels: those of one body between two or more others.
+Eigen::MatrixXd idleMotions(const mechanism::Mechanism& mechanism,
+                            const ConstraintJacobian& jacobian, const Eigen::MatrixXd& motions);
+
 /// Shares in the self-stress below this are round-off. A share is the square of an amplitude, whose
 /// round-off is about 1e-15 in rovers.
 inline constexpr double kNoShare = 1e-16;

@@ -72,9 +72,8 @@ std::vector<IdleFreedom> nameByBody(const mechanism::Mechanism& mechanism,
 }
 
 /// Free motions of one body between two or more others that all stand still.
-std::vector<IdleFreedom> findIdleBetween(const mechanism::Mechanism& mechanism,
-                                         const ConstraintJacobian& jacobian) {
-    std::vector<IdleFreedom> found;
+MatrixXd idleBetween(const mechanism::Mechanism& mechanism, const ConstraintJacobian& jacobian) {
+    MatrixXd found(jacobian.matrix.cols(), 0);
     for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
         std::set<int> neighbours;  // -1 is the world
         for (const mechanism::Joint& joint : mechanism.joints) {
@@ -91,25 +90,12 @@ std::vector<IdleFreedom> findIdleBetween(const mechanism::Mechanism& mechanism,
         }
         const Factorisation alone(jacobian.matrix.middleCols(column, 6));
         for (Index k = 0; k < alone.motions.cols(); ++k) {
-            found.push_back(idleOf(mechanism.bodies[b].name, alone.motions.col(k)));
+            found.conservativeResize(Eigen::NoChange, found.cols() + 1);
+            found.rightCols(1).setZero();
+            found.rightCols(1).middleRows(column, 6) = alone.motions.col(k);
         }
     }
     return found;
-}
-
-std::vector<IdleFreedom> findIdle(const mechanism::Mechanism& mechanism,
-                                  const ConstraintJacobian& jacobian, const MatrixXd& motions) {
-    if (motions.cols() == 0) {
-        return {};
-    }
-    if (mechanism.wheels.empty()) {  // nothing says which body does the work
-        return findIdleBetween(mechanism, jacobian);
-    }
-    std::vector<int> watched{mechanism.chassis};
-    for (const mechanism::Wheel& wheel : mechanism.wheels) {
-        watched.push_back(wheel.body);
-    }
-    return nameByBody(mechanism, jacobian, hiddenFrom(watched, jacobian, motions));
 }
 
 void countJoints(const mechanism::Mechanism& mechanism, Model model, const Stance& stance,
@@ -136,6 +122,21 @@ void countJoints(const mechanism::Mechanism& mechanism, Model model, const Stanc
 }
 
 }  // namespace
+
+MatrixXd idleMotions(const mechanism::Mechanism& mechanism, const ConstraintJacobian& jacobian,
+                     const MatrixXd& motions) {
+    if (motions.cols() == 0) {
+        return motions;
+    }
+    if (mechanism.wheels.empty()) {  // nothing says which body does the work
+        return idleBetween(mechanism, jacobian);
+    }
+    std::vector<int> watched{mechanism.chassis};
+    for (const mechanism::Wheel& wheel : mechanism.wheels) {
+        watched.push_back(wheel.body);
+    }
+    return hiddenFrom(watched, jacobian, motions);
+}
 
 std::vector<std::size_t> chooseRedundantSet(const MatrixXd& selfStress,
                                             const std::vector<Priority>& priorities) {
@@ -195,7 +196,8 @@ Report analyse(const mechanism::Mechanism& mechanism, Model model, const Stance&
     for (const std::size_t row : chooseRedundantSet(factors.selfStress, jacobian.priorities)) {
         report.redundantSet.push_back(named[row]);
     }
-    report.idle = findIdle(mechanism, jacobian, factors.motions);
+    report.idle =
+        nameByBody(mechanism, jacobian, idleMotions(mechanism, jacobian, factors.motions));
     return report;
 }
 

@@ -322,6 +322,33 @@ TEST_F(SceneTest, HighlightedJointWearsARing) {
     EXPECT_EQ(findNode(*scene.root(), "highlighted joint"), nullptr);
 }
 
+// Marks stand beside the highlight, and go with the rover they are of.
+TEST_F(SceneTest, MarkedJointsWearRingsBesideTheHighlightedOne) {
+    const auto rings = [this] {
+        int count = 0;
+        osg::Group* overlays = bodyNode("highlighted joint").getParent(0);
+        for (unsigned i = 0; i < overlays->getNumChildren(); ++i) {
+            count += overlays->getChild(i)->getName() == "marked joint" ? 1 : 0;
+        }
+        return count;
+    };
+    scene.highlightJoint(0);
+    EXPECT_EQ(rings(), 0);
+    scene.mark({1, 2, 4}, {0, 3});
+    EXPECT_EQ(rings(), 3);
+    EXPECT_EQ(scene.highlightedJoint(), 0);
+    EXPECT_EQ(scene.markedBodies(), (std::vector<int>{0, 3}));
+    float glow = 0.0F;
+    bodyNode(mechanism.bodies[3].name).getOrCreateStateSet()->getUniform("highlight")->get(glow);
+    EXPECT_GT(glow, 0.5F);
+    const int joints = static_cast<int>(mechanism.joints.size());
+    EXPECT_THROW(scene.mark({joints}, {}), std::invalid_argument);
+    EXPECT_THROW(scene.mark({}, {-1}), std::invalid_argument);
+    scene.setMechanism(mechanism);
+    EXPECT_TRUE(scene.markedJoints().empty());
+    EXPECT_TRUE(scene.markedBodies().empty());
+}
+
 // Only the highlighted body glows; -1 ends it; another rover starts without.
 TEST_F(SceneTest, OnlyTheHighlightedBodyGlows) {
     const auto glowing = [this] {

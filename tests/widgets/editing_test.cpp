@@ -159,7 +159,7 @@ TEST_F(EditingTest, FreeingAJointChangesTheCountAtOnce) {
 }
 
 TEST_F(EditingTest, ChoosingARemovableConstraintSelectsItsJoint) {
-    auto* list = window->findChild<widgets::MobilityPanel*>()->findChild<QTreeWidget*>();
+    auto* list = find<QTreeWidget>("removableList");
     QTreeWidgetItem* item = nullptr;
     for (int i = 0; i < list->topLevelItemCount(); ++i) {
         if (list->topLevelItem(i)->text(0) == "bogie_right_lower_front") {

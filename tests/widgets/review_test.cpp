@@ -80,6 +80,14 @@ TEST_F(AdviceTest, AKindCanBeHiddenAndShownAgain) {
     EXPECT_FALSE(hidden->isVisible());
 }
 
+// The rocker-bogie that nobody has relaxed: one button leads to the Advisor at work.
+TEST_F(AdviceTest, RedundantConstraintsLeadToTheAdvisor) {
+    window->document().undoStack().setClean();
+    ASSERT_TRUE(window->document().open(testsupport::projectFile("rocker_bogie")).empty());
+    QTest::mouseClick(find<QPushButton>("fix:hyperstatic"), Qt::LeftButton);
+    EXPECT_TRUE(waitUntil([&] { return find<QWidget>("advisorPage")->isVisible(); }));
+}
+
 TEST_F(AdviceTest, ChoosingAdviceSelectsItsPart) {
     const QPoint at = list()->visualItemRect(list()->topLevelItem(0)).center();
     QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, at);

@@ -2,16 +2,21 @@
 
 #include <QButtonGroup>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QStyle>
 #include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <map>
+
+#include "widgets/panels/advisor_page.h"
+#include "widgets/panels/motion_page.h"
 
 namespace widgets {
 
@@ -105,6 +110,10 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       models_(new QButtonGroup(this)),
+      pageButtons_(new QButtonGroup(this)),
+      pages_(new QStackedWidget),
+      advisor_(new AdvisorPage(document)),
+      motions_(new MotionPage(document)),
       content_(new QWidget(this)),
       unavailable_(new QLabel(this)),
       headline_(new QLabel(this)),
@@ -127,6 +136,7 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     list_->setHeaderHidden(true);
     list_->setUniformRowHeights(true);
     list_->setFrameShape(QFrame::NoFrame);
+    list_->setObjectName("removableList");
     list_->setAccessibleName(tr("Removable constraints"));
     list_->setMinimumHeight(90);
     list_->header()->setStretchLastSection(false);
@@ -140,14 +150,23 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     grid->setContentsMargins(0, 0, 0, 0);
     buildTable(grid);
 
-    auto* layout = new QVBoxLayout(content_);
-    layout->setContentsMargins(8, 8, 8, 0);
+    auto* counts = new QWidget;
+    auto* layout = new QVBoxLayout(counts);
+    layout->setContentsMargins(8, 6, 8, 0);
     layout->setSpacing(6);
     layout->addWidget(headline_);
     layout->addWidget(table);
     layout->addWidget(verdict_);
     layout->addWidget(listTitle_);
     layout->addWidget(list_, 1);
+    for (QWidget* page : std::initializer_list<QWidget*>{counts, advisor_, motions_}) {
+        pages_->addWidget(page);
+    }
+    auto* inner = new QVBoxLayout(content_);
+    inner->setContentsMargins(0, 0, 0, 0);
+    inner->setSpacing(0);
+    inner->addWidget(makePageButtons());
+    inner->addWidget(pages_, 1);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(content_, 1);
@@ -162,7 +181,91 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
         }
     });
     connect(document_, &Document::changed, this, &MobilityPanel::refresh);
+    connectPages();
     refresh();
+}
+
+QWidget* MobilityPanel::makePageButtons() {
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(8, 4, 8, 0);
+    layout->setSpacing(4);
+    const auto add = [&](Page page, const QString& text, const QString& name, const QString& tip) {
+        auto* button = new QPushButton(text);
+        button->setCheckable(true);
+        button->setFlat(true);
+        button->setObjectName(name);
+        button->setToolTip(tip);
+        pageButtons_->addButton(button, static_cast<int>(page));
+        layout->addWidget(button, 1);
+    };
+    add(Page::Counts, tr("Counts"), "pageCounts", tr("How much it moves, and what is redundant"));
+    add(Page::Advisor, tr("Exact joints"), "pageAdvisor",
+        tr("Which joints to free so that nothing is redundant"));
+    add(Page::Motions, tr("Free motions"), "pageMotions", tr("How it moves, to look at"));
+    pageButtons_->button(0)->setChecked(true);
+    connect(pageButtons_, &QButtonGroup::idClicked, this, &MobilityPanel::showPage);
+    return row;
+}
+
+void MobilityPanel::setPage(Page page) {
+    pageButtons_->button(static_cast<int>(page))->setChecked(true);
+    showPage();
+}
+
+void MobilityPanel::setActive(bool active) {
+    active_ = active;
+    showPage();
+}
+
+void MobilityPanel::showPage() {
+    const int page = pageButtons_->checkedId();
+    pages_->setCurrentIndex(page);
+    const bool advisor = active_ && page == static_cast<int>(Page::Advisor);
+    const bool motions = active_ && page == static_cast<int>(Page::Motions);
+    // The one that leaves goes first: what it marked must not end what the other marks.
+    if (advisor) {
+        motions_->setActive(false);
+        advisor_->setActive(true);
+    } else {
+        advisor_->setActive(false);
+        motions_->setActive(motions);
+    }
+}
+
+void MobilityPanel::connectPages() {
+    connect(motions_, &MotionPage::modelChosen, this, &MobilityPanel::setModel);
+    connect(motions_, &MotionPage::marked, this,
+            [this](const QStringList& joints, const QString& body) {
+                emit marked(joints, body.isEmpty() ? QStringList() : QStringList{body});
+            });
+    const auto& derived = document_->derived();
+    connect(advisor_, &AdvisorPage::marked, this,
+            [this, &derived](const QStringList& joints, const QStringList& wheels) {
+                QStringList bodies;
+                for (const QString& wheel : wheels) {
+                    const int index =
+                        derived.mechanism ? derived.mechanism->findWheel(wheel.toStdString()) : -1;
+                    if (index >= 0) {
+                        const auto at = static_cast<std::size_t>(index);
+                        const auto body =
+                            static_cast<std::size_t>(derived.mechanism->wheels[at].body);
+                        bodies << QString::fromStdString(derived.mechanism->bodies[body].name);
+                    }
+                }
+                emit marked(joints, bodies);
+            });
+    connect(advisor_, &AdvisorPage::jointChosen, this, [this, &derived](const QString& joint) {
+        emit jointChosen(derived.mechanism ? derived.mechanism->findJoint(joint.toStdString())
+                                           : -1);
+    });
+    connect(advisor_, &AdvisorPage::wheelChosen, this, [this, &derived](const QString& wheel) {
+        const int index =
+            derived.mechanism ? derived.mechanism->findWheel(wheel.toStdString()) : -1;
+        if (index >= 0) {
+            emit wheelChosen(index);
+        }
+    });
 }
 
 void MobilityPanel::buildTable(QGridLayout* grid) {
@@ -227,6 +330,7 @@ const Report& MobilityPanel::report() const {
 void MobilityPanel::setModel(Model model) {
     model_ = model;
     models_->button(static_cast<int>(model))->setChecked(true);
+    motions_->setModel(model);
     refresh();
     emit modelChanged();
 }

@@ -8,13 +8,18 @@
 class QButtonGroup;
 class QGridLayout;
 class QLabel;
+class QStackedWidget;
 class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace widgets {
 
-/// How much the rover can move and what is over-constrained: both models side by side, a verdict in
-/// words, and every constraint that could go, by joint.
+class AdvisorPage;
+class MotionPage;
+
+/// How much the rover can move and what is over-constrained, in three pages: both models side by
+/// side, a verdict in words, and every constraint that could go, by joint; which joints to free;
+/// the free motions.
 class MobilityPanel : public QWidget {
     Q_OBJECT
   public:
@@ -24,6 +29,17 @@ class MobilityPanel : public QWidget {
     simcore::mobility::Model model() const { return model_; }
 
     void setModel(simcore::mobility::Model model);
+
+    enum class Page { Counts, Advisor, Motions };
+
+    void setPage(Page page);
+    /// Whether the panel is on show: a dock behind another counts as hidden.
+    void setActive(bool active);
+
+    AdvisorPage& advisor() { return *advisor_; }
+
+    MotionPage& motions() { return *motions_; }
+
     /// Selects the rows of a joint without emitting jointChosen(); -1 clears.
     void selectJoint(int joint);
 
@@ -33,12 +49,17 @@ class MobilityPanel : public QWidget {
     /// The user chose a constraint of the contact of this wheel.
     void wheelChosen(int wheel);
     void modelChanged();
+    /// These joints and bodies of the mechanism, by name, are what the page shown is about.
+    void marked(const QStringList& joints, const QStringList& bodies);
 
   private:
     enum Quantity { Gruebler, Parts, Rows, Rank, Mobility, Redundant, kQuantities };
 
     const simcore::mobility::Report& report() const;
     void buildTable(QGridLayout* grid);
+    QWidget* makePageButtons();
+    void connectPages();
+    void showPage();
     void refresh();
     void showTable();
     void showConstraints();
@@ -46,6 +67,10 @@ class MobilityPanel : public QWidget {
     Document* document_;
     simcore::mobility::Model model_ = simcore::mobility::Model::Built;
     QButtonGroup* models_ = nullptr;
+    QButtonGroup* pageButtons_ = nullptr;
+    QStackedWidget* pages_ = nullptr;
+    AdvisorPage* advisor_ = nullptr;
+    MotionPage* motions_ = nullptr;
     QWidget* content_ = nullptr;
     QLabel* unavailable_ = nullptr;
     QLabel* headline_ = nullptr;
@@ -53,6 +78,7 @@ class MobilityPanel : public QWidget {
     QLabel* listTitle_ = nullptr;
     QTreeWidget* list_ = nullptr;
     std::array<std::array<QLabel*, 2>, kQuantities> cells_{};
+    bool active_ = true;
     bool refreshing_ = false;
 };
 

@@ -166,19 +166,25 @@ void ProblemsPanel::addRow(const Entry& entry) {
         new QTreeWidgetItem(item, {QString::fromStdString(problem.reason + " " + problem.remedy)});
     reason->setToolTip(0, reason->text(0));
     item->setExpanded(true);
+    const QString kind = QString::fromStdString(entry.kind);
     if (!entry.fix.empty()) {
-        auto* row = new QTreeWidgetItem(item);
-        auto* button = new QPushButton(QString::fromStdString(entry.fix));
-        button->setObjectName("fix:" + QString::fromStdString(entry.kind));
-        button->setAccessibleName(
-            tr("Fix %1: %2").arg(item->text(0), QString::fromStdString(entry.fix)));
-        button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-        list_->setItemWidget(row, 0, button);
-        // Later: the edit fills the list anew, and the button with it.
-        connect(
-            button, &QPushButton::clicked, this, [this, entry] { applyFix(entry); },
-            Qt::QueuedConnection);
+        addButton(item, kind, QString::fromStdString(entry.fix),
+                  [this, entry] { applyFix(entry); });
+    } else if (entry.kind == "hyperstatic") {
+        addButton(item, kind, tr("Find exact joints"), [this] { emit adviceRequested(); });
     }
+}
+
+void ProblemsPanel::addButton(QTreeWidgetItem* item, const QString& kind, const QString& label,
+                              const std::function<void()>& act) {
+    auto* row = new QTreeWidgetItem(item);
+    auto* button = new QPushButton(label);
+    button->setObjectName("fix:" + kind);
+    button->setAccessibleName(tr("Fix %1: %2").arg(item->text(0), label));
+    button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    list_->setItemWidget(row, 0, button);
+    // Later: an edit fills the list anew, and the button with it.
+    connect(button, &QPushButton::clicked, this, act, Qt::QueuedConnection);
 }
 
 void ProblemsPanel::applyFix(const Entry& entry) {

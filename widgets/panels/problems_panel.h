@@ -2,6 +2,7 @@
 
 #include <QStringList>
 #include <QWidget>
+#include <functional>
 #include <vector>
 
 #include "simcore/project/edit.h"
@@ -10,6 +11,7 @@
 class QLabel;
 class QToolButton;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace widgets {
 
@@ -29,6 +31,8 @@ class ProblemsPanel : public QWidget {
   signals:
     void elementChosen(simcore::project::ElementRef element);
     void countChanged(int count);
+    /// The Advisor is to find out what to free.
+    void adviceRequested();
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -45,6 +49,8 @@ class ProblemsPanel : public QWidget {
     void refresh();
     void fill(const simcore::Problems& problems);
     void addRow(const Entry& entry);
+    void addButton(QTreeWidgetItem* item, const QString& kind, const QString& label,
+                   const std::function<void()>& act);
     void applyFix(const Entry& entry);
     void setHidden(const QString& kind, bool hidden);
     void showHidden();

@@ -18,6 +18,7 @@
 #include <QToolButton>
 #include <QUndoView>
 #include <QVBoxLayout>
+#include <map>
 
 #include "simcore/base/version.h"
 #include "simcore/project/element_names.h"
@@ -27,9 +28,12 @@
 #include "widgets/editors/parts_panel.h"
 #include "widgets/editors/parts_tree.h"
 #include "widgets/editors/property_panel.h"
+#include "widgets/panels/advisor_page.h"
 #include "widgets/panels/compare_panel.h"
+#include "widgets/panels/graph_panel.h"
 #include "widgets/panels/mass_panel.h"
 #include "widgets/panels/mobility_panel.h"
+#include "widgets/panels/motion_page.h"
 #include "widgets/panels/problems_panel.h"
 #include "widgets/panels/statics_panel.h"
 #include "widgets/plots/plot_panel.h"
@@ -111,6 +115,8 @@ MainWindow::MainWindow()
 MainWindow::~MainWindow() {
     // Closing hides the panel: its pose must not leave a picture that is gone.
     statics_->setActive(false);
+    mobility_->motions().stop();
+    disconnect(mobility_, nullptr, this, nullptr);
     // The scene's graphics objects go while the viewport still has its context.
     delete takeCentralWidget();
 }
@@ -181,6 +187,27 @@ void MainWindow::makeDocks() {
          {rover, mobilityDock_, staticsDock_, compare, mass, problemsDock_, history, runDock}) {
         panelMenu_->addAction(dock->toggleViewAction());
     }
+    makeGraphDock();
+}
+
+void MainWindow::makeGraphDock() {
+    graph_ = new GraphPanel(document_);
+    auto* dock = new QDockWidget(tr("Joint graph"), this);
+    dock->setObjectName("graphDock");
+    dock->setAccessibleName(dock->windowTitle());
+    dock->setWidget(graph_);
+    addDockWidget(Qt::BottomDockWidgetArea, dock);
+    // A window of its own at first: it wants more room than the panels have.
+    dock->setFloating(true);
+    dock->resize(1040, 620);
+    dock->hide();
+    panelMenu_->addAction(dock->toggleViewAction());
+    connect(dock, &QDockWidget::visibilityChanged, graph_, &GraphPanel::setActive);
+    connect(graph_, &GraphPanel::jointChosen, this,
+            [this](const QString& joint) { selectJoint(joint.toStdString()); });
+    connect(graph_, &GraphPanel::bodyChosen, this,
+            [this](const QString& body) { selectBody(body.toStdString()); });
+    connect(link_, &SceneLink::highlightChanged, graph_, &GraphPanel::select);
 }
 
 QWidget* MainWindow::makeLeftPanel() {
@@ -282,22 +309,9 @@ void MainWindow::connectParts() {
     connect(tree_, &PartsTree::message, this, &MainWindow::tell);
     connect(properties_, &PropertyPanel::refused, this, &MainWindow::tell);
     connect(problems_, &ProblemsPanel::elementChosen, this, &MainWindow::selectElement);
+    connect(problems_, &ProblemsPanel::adviceRequested, actions_->at("advise"), &QAction::trigger);
     connect(problems_, &ProblemsPanel::countChanged, this, &MainWindow::updateStatus);
-    connect(mobility_, &MobilityPanel::jointChosen, this, [this](int joint) {
-        const auto& mechanism = document_->derived().mechanism;
-        selectJoint(mechanism ? nameAt(mechanism->joints, joint) : std::string());
-    });
-    connect(mobility_, &MobilityPanel::wheelChosen, this, [this](int wheel) {
-        const auto& mechanism = document_->derived().mechanism;
-        if (mechanism) {
-            selectBody(nameAt(mechanism->bodies,
-                              mechanism->wheels.at(static_cast<std::size_t>(wheel)).body));
-        }
-    });
-    connect(mobility_, &MobilityPanel::modelChanged, this, [this] {
-        link_->setModel(mobility_->model());
-        updateStatus();
-    });
+    connectMobility();
     connect(mass_, &MassPanel::bodyChosen, this, [this](int body) {
         const auto& mechanism = document_->derived().mechanism;
         selectBody(mechanism ? nameAt(mechanism->bodies, body) : std::string());
@@ -365,6 +379,44 @@ void MainWindow::connectParts() {
     }
 }
 
+void MainWindow::connectMobility() {
+    connect(mobility_, &MobilityPanel::jointChosen, this, [this](int joint) {
+        const auto& mechanism = document_->derived().mechanism;
+        selectJoint(mechanism ? nameAt(mechanism->joints, joint) : std::string());
+    });
+    connect(mobility_, &MobilityPanel::wheelChosen, this, [this](int wheel) {
+        const auto& mechanism = document_->derived().mechanism;
+        if (mechanism) {
+            selectBody(nameAt(mechanism->bodies,
+                              mechanism->wheels.at(static_cast<std::size_t>(wheel)).body));
+        }
+    });
+    connect(mobility_, &MobilityPanel::modelChanged, this, [this] {
+        link_->setModel(mobility_->model());
+        graph_->setModel(mobility_->model());
+        updateStatus();
+    });
+    connect(mobility_, &MobilityPanel::marked, this,
+            [this](const QStringList& joints, const QStringList& bodies) {
+                const auto names = [](const QStringList& list) {
+                    std::vector<std::string> texts;
+                    for (const QString& name : list) {
+                        texts.push_back(name.toStdString());
+                    }
+                    return texts;
+                };
+                link_->mark(names(joints), names(bodies));
+            });
+    connect(mobilityDock_, &QDockWidget::visibilityChanged, mobility_, &MobilityPanel::setActive);
+    MotionPage* motions = &mobility_->motions();
+    connect(motions, &MotionPage::posesShown, link_, &SceneLink::showMotion);
+    connect(motions, &MotionPage::ended, link_, &SceneLink::leaveMotion);
+    connect(session_, &RunSession::snapshotChanged, motions, &MotionPage::stop);
+    connect(session_, &RunSession::runChanged, motions, &MotionPage::stop);
+    connect(runBar_, &RunBar::requestChanged, motions, &MotionPage::stop);
+    connect(statics_, &StaticsSession::shownChanged, motions, &MotionPage::stop);
+}
+
 void MainWindow::onProjectChanged() {
     if (session_->state() == State::Playing) {
         session_->pause();
@@ -400,7 +452,14 @@ void MainWindow::showStatics() {
 }
 
 bool MainWindow::showPanel(const QString& name) {
-    auto* dock = findChild<QDockWidget*>(name + "Dock");
+    using Page = MobilityPanel::Page;
+    const std::map<QString, Page> pages{
+        {"mobility", Page::Counts}, {"advisor", Page::Advisor}, {"motions", Page::Motions}};
+    const auto page = pages.find(name);
+    if (page != pages.end()) {
+        mobility_->setPage(page->second);
+    }
+    auto* dock = page != pages.end() ? mobilityDock_ : findChild<QDockWidget*>(name + "Dock");
     if (dock == nullptr) {
         return false;
     }

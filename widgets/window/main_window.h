@@ -22,6 +22,7 @@ class ComparePanel;
 class DragEditor;
 class Experiment;
 class FileCommands;
+class GraphPanel;
 class ManualDrive;
 class MassPanel;
 class MobilityPanel;
@@ -88,8 +89,9 @@ class MainWindow : public QMainWindow {
     /// was not opened; says why.
     bool open(const QString& file);
     void setDark(bool dark);
-    /// Brings a panel to the front: "rover", "mobility", "statics", "compare", "mass", "problems",
-    /// "history" or "run". False when there is no such panel.
+    /// Brings a panel to the front: "rover", "mobility", "advisor" and "motions" (pages of it),
+    /// "graph", "statics", "compare", "mass", "problems", "history" or "run". False when there is
+    /// no such panel.
     bool showPanel(const QString& name);
     /// Window size, panels and theme as the user left them.
     void restoreLayout();
@@ -117,6 +119,8 @@ class MainWindow : public QMainWindow {
     void makeToolBar();
     void makeStatusBar();
     void connectParts();
+    void connectMobility();
+    void makeGraphDock();
 
     void onProjectChanged();
     void updateStatics();
@@ -165,6 +169,7 @@ class MainWindow : public QMainWindow {
     PropertyPanel* properties_ = nullptr;
     QTabWidget* editors_ = nullptr;
     MobilityPanel* mobility_ = nullptr;
+    GraphPanel* graph_ = nullptr;
     MassPanel* mass_ = nullptr;
     ProblemsPanel* problems_ = nullptr;
     RunBar* runBar_ = nullptr;

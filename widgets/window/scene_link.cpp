@@ -72,14 +72,19 @@ void SceneLink::showMechanism(const simcore::mechanism::Mechanism& mechanism) {
 }
 
 void SceneLink::showDesign() {
-    const auto& derived = document_->derived();
     showsRun_ = false;
+    showsMotion_ = false;
     showGhost();
     if (standing_ && !keepsDrawnPose_) {
         showStanding();
-        emit shownChanged();
-        return;
+    } else {
+        showDrawn();
     }
+    emit shownChanged();
+}
+
+void SceneLink::showDrawn() {
+    const auto& derived = document_->derived();
     // With critical problems the last good rover stays on show.
     if (derived.mechanism) {
         showMechanism(*derived.mechanism);
@@ -96,11 +101,47 @@ void SceneLink::setStanding(StandingRover standing) {
     }
 }
 
+void SceneLink::showMotion(const std::vector<simcore::Pose>& bodies) {
+    if (!showsMotion_) {
+        showsRun_ = false;
+        showGhost();
+        showDrawn();
+        showsMotion_ = true;
+        emit shownChanged();
+    }
+    if (bodies.size() != mechanism_.bodies.size()) {
+        return;
+    }
+    simcore::run::Snapshot snapshot;
+    snapshot.bodies = bodies;
+    snapshot.wheels.resize(mechanism_.wheels.size());
+    snapshot.centerOfMass = mechanism_.centerOfMass(bodies);
+    scene_->clearTrail();
+    scene_->setSnapshot(snapshot);
+    redraw();
+}
+
+void SceneLink::leaveMotion() {
+    if (!showsMotion_) {
+        return;
+    }
+    showsMotion_ = false;
+    if (standing_) {
+        showDesign();
+    } else {
+        showRunOrDesign();
+    }
+}
+
 void SceneLink::leaveStanding() {
     if (!standing_) {
         return;
     }
     standing_.reset();
+    showRunOrDesign();
+}
+
+void SceneLink::showRunOrDesign() {
     if (session_->hasRun() && !session_->isStale()) {
         showRun(*session_->shown());
     } else {
@@ -121,6 +162,7 @@ void SceneLink::showStanding() {
 }
 
 void SceneLink::showRun(const simcore::run::Snapshot& snapshot) {
+    showsMotion_ = false;
     if (!showsRun_) {
         const auto& run = session_->settings();
         showMechanism(run.mechanism);
@@ -222,6 +264,7 @@ void SceneLink::highlightJoint(const std::string& joint) {
     highlightedJoint_ = joint;
     highlightedBody_.clear();
     showHighlight();
+    emit highlightChanged(QString::fromStdString(joint), {});
     redraw();
 }
 
@@ -229,12 +272,35 @@ void SceneLink::highlightBody(const std::string& body) {
     highlightedBody_ = body;
     highlightedJoint_.clear();
     showHighlight();
+    emit highlightChanged({}, QString::fromStdString(body));
+    redraw();
+}
+
+void SceneLink::mark(std::vector<std::string> joints, std::vector<std::string> bodies) {
+    if (joints == markedJoints_ && bodies == markedBodies_) {
+        return;
+    }
+    markedJoints_ = std::move(joints);
+    markedBodies_ = std::move(bodies);
+    showHighlight();
     redraw();
 }
 
 void SceneLink::showHighlight() {
     scene_->highlightJoint(mechanism_.findJoint(highlightedJoint_));
     scene_->highlightBody(mechanism_.findBody(highlightedBody_));
+    const auto found = [](const std::vector<std::string>& names, const auto& find) {
+        std::vector<int> indices;
+        for (const std::string& name : names) {
+            if (const int index = find(name); index >= 0) {
+                indices.push_back(index);
+            }
+        }
+        return indices;
+    };
+    scene_->mark(
+        found(markedJoints_, [&](const std::string& name) { return mechanism_.findJoint(name); }),
+        found(markedBodies_, [&](const std::string& name) { return mechanism_.findBody(name); }));
 }
 
 void SceneLink::redraw() {

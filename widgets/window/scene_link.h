@@ -40,13 +40,16 @@ class SceneLink : public QObject {
     void highlightJoint(const std::string& joint);
     void highlightBody(const std::string& body);
 
+    /// Marks several, beside what is highlighted; by name, too.
+    void mark(std::vector<std::string> joints, std::vector<std::string> bodies);
+
     /// What is on show.
     const simcore::mechanism::Mechanism& mechanism() const { return mechanism_; }
 
     bool showsRun() const { return showsRun_; }
 
-    /// The rover as drawn, neither in a run nor standing somewhere.
-    bool showsDrawnPose() const { return !showsRun_ && standingShown_ == nullptr; }
+    /// The rover as drawn, neither in a run nor standing somewhere nor swinging.
+    bool showsDrawnPose() const { return !showsRun_ && !showsMotion_ && standingShown_ == nullptr; }
 
     /// Shows the rover as drawn also where it could stand somewhere.
     void keepDrawnPose(bool keep) { keepsDrawnPose_ = keep; }
@@ -59,9 +62,17 @@ class SceneLink : public QObject {
     /// As drawn again; a run that is there is on show again.
     void leaveStanding();
 
+    /// The design as drawn, but with its bodies at these poses X_WB, until something else is shown.
+    /// Ignored when they are not as many as the design's.
+    void showMotion(const std::vector<simcore::Pose>& bodies);
+    /// What showMotion() took the place of is on show again.
+    void leaveMotion();
+
   signals:
     /// Another kind of thing is on show: the design, a standing rover, a run.
     void shownChanged();
+    /// Another joint or body is highlighted, by name; "" = none.
+    void highlightChanged(const QString& joint, const QString& body);
     /// Why the terrain cannot be shown.
     void problems(const simcore::Problems& problems);
 
@@ -69,6 +80,8 @@ class SceneLink : public QObject {
     void showRun(const simcore::run::Snapshot& snapshot);
     void showGhost();
     void showStanding();
+    void showDrawn();
+    void showRunOrDesign();
     void showMechanism(const simcore::mechanism::Mechanism& mechanism);
     void showTerrain();
     void showFreedoms();
@@ -83,10 +96,12 @@ class SceneLink : public QObject {
     simcore::mechanism::Mechanism mechanism_;  ///< of what is on show
     // By name: an edit may give the element another place.
     std::string highlightedJoint_, highlightedBody_;
+    std::vector<std::string> markedJoints_, markedBodies_;
     QString scenario_;
     simcore::mobility::Model model_ = simcore::mobility::Model::Built;
     bool showsRun_ = false;
     bool keepsDrawnPose_ = false;
+    bool showsMotion_ = false;
     int ghostShown_ = 0;  ///< id of its run
     std::shared_ptr<const simcore::mechanism::Mechanism> ghostMechanism_;
     std::optional<StandingRover> standing_;

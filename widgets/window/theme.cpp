@@ -65,8 +65,8 @@ void applyTheme(QApplication& application, Theme theme) {
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setPalette(paletteOf(c));
     application.setStyleSheet(
-        QString("QLabel#headline, QLabel#staticsVerdict, QLabel#compareVerdict { border-radius: "
-                "4px; padding: 6px 8px; "
+        QString("QLabel#headline, QLabel#staticsVerdict, QLabel#compareVerdict, "
+                "QLabel#advisorVerdict { border-radius: 4px; padding: 6px 8px; "
                 "font-weight: bold; }"
                 "QLabel[level=\"good\"] { background: %1; color: %4; }"
                 "QLabel[level=\"warning\"] { background: %2; color: %4; }"

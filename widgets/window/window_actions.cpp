@@ -12,6 +12,8 @@
 #include "simcore/io/project_file.h"
 #include "widgets/editors/parts_panel.h"
 #include "widgets/editors/parts_tree.h"
+#include "widgets/panels/advisor_page.h"
+#include "widgets/panels/mobility_panel.h"
 #include "widgets/plots/plot_panel.h"
 #include "widgets/session/may_replace.h"
 #include "widgets/session/run_bar.h"
@@ -281,6 +283,15 @@ void MainWindow::makeRunActions() {
                   });
     actions_->add("showMobility", tr("&Mobility"), {QKeySequence("Ctrl+M")},
                   tr("Show the mobility panel"), [this] { showPanel("mobility"); });
+    actions_->add("advise", tr("Find e&xact joints"), {QKeySequence("Ctrl+Shift+A")},
+                  tr("Search joints to free so that nothing is redundant"), [this] {
+                      showPanel("advisor");
+                      mobility_->advisor().search();
+                  });
+    actions_->add("showMotions", tr("&Free motions"), {QKeySequence("Ctrl+Shift+W")},
+                  tr("Show how the rover can move"), [this] { showPanel("motions"); });
+    actions_->add("showGraph", tr("Joint &graph"), {QKeySequence("Ctrl+G")},
+                  tr("Draw bodies and joints as a graph"), [this] { showPanel("graph"); });
     actions_->add("showStatics", tr("&Statics"), {QKeySequence("Ctrl+T")},
                   tr("Show the statics panel"), [this] { showPanel("statics"); });
     actions_->add("showCompare", tr("&Compare"), {QKeySequence("Ctrl+Shift+X")},
@@ -340,8 +351,8 @@ void MainWindow::makeMenus() {
     fill(menuBar()->addMenu(tr("&Run")),
          {"playPause", "step", "stepBack", "live", "reset", "runAgain", "", "keepRun", "experiment",
           "", "faster", "slower", "", "showDesign"});
-    fill(menuBar()->addMenu(tr("&Analyze")),
-         {"showMobility", "showStatics", "showCompare", "showProblems"});
+    fill(menuBar()->addMenu(tr("&Analyze")), {"showMobility", "advise", "showMotions", "showGraph",
+                                              "showStatics", "showCompare", "showProblems"});
     fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "system", "", "about"});
 }
 
