@@ -85,7 +85,7 @@ TEST_F(AdviceTest, RedundantConstraintsLeadToTheAdvisor) {
     window->document().undoStack().setClean();
     ASSERT_TRUE(window->document().open(testsupport::projectFile("rocker_bogie")).empty());
     QTest::mouseClick(find<QPushButton>("fix:hyperstatic"), Qt::LeftButton);
-    EXPECT_TRUE(waitUntil([&] { return find<QWidget>("advisorPage")->isVisible(); }));
+    EXPECT_TRUE(waitUntil([&] { return find<QWidget>("advisorText")->isVisible(); }));
 }
 
 TEST_F(AdviceTest, ChoosingAdviceSelectsItsPart) {
