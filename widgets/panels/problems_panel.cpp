@@ -48,8 +48,15 @@ int ProblemsPanel::count() const {
     return list_->topLevelItemCount();
 }
 
+void ProblemsPanel::setStanding(const Problems& problems) {
+    standing_ = problems;
+    refresh();
+}
+
 void ProblemsPanel::showMore(const Problems& problems) {
-    Problems all = document_->derived().problems;
+    Problems all = standing_;
+    const Problems& own = document_->derived().problems;
+    all.insert(all.end(), own.begin(), own.end());
     for (const Problem& problem : problems) {
         if (std::find(all.begin(), all.end(), problem) == all.end()) {
             all.push_back(problem);
@@ -59,7 +66,7 @@ void ProblemsPanel::showMore(const Problems& problems) {
 }
 
 void ProblemsPanel::refresh() {
-    fill(document_->derived().problems);
+    showMore({});
 }
 
 void ProblemsPanel::fill(const Problems& problems) {

@@ -20,6 +20,9 @@ class ProblemsPanel : public QWidget {
     /// Shows problems from elsewhere (a run that cannot start) until the next edit.
     void showMore(const simcore::Problems& problems);
 
+    /// Problems that are not the project's: shown through every edit, until others are set.
+    void setStanding(const simcore::Problems& problems);
+
     int count() const;
 
   signals:
@@ -34,6 +37,7 @@ class ProblemsPanel : public QWidget {
     QLabel* none_ = nullptr;
     QTreeWidget* list_ = nullptr;
     simcore::Problems shown_;
+    simcore::Problems standing_;
 };
 
 }  // namespace widgets
