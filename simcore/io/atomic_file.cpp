@@ -56,6 +56,7 @@ AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)) {
     std::error_code error;
     target_ = std::filesystem::is_symlink(file_, error) ? std::filesystem::canonical(file_, error)
                                                         : file_;
+
     struct stat old {};
 
     if (::stat(target_.c_str(), &old) == 0) {
@@ -148,7 +149,8 @@ Result<std::string> readFile(const std::filesystem::path& file) {
     }
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
-    if (!stream || (stream.peek() != std::ifstream::traits_type::eof() && !(text << stream.rdbuf())) ||
+    if (!stream ||
+        (stream.peek() != std::ifstream::traits_type::eof() && !(text << stream.rdbuf())) ||
         stream.bad()) {
         return Problem{Severity::Critical, file.string(), "the file cannot be read.",
                        "Check its permissions."};

@@ -32,7 +32,7 @@ class AtomicFile {
     std::filesystem::path target_;
     std::string temporary_;
     int descriptor_ = -1;
-    int error_ = 0;  ///< errno of the first failure
+    int error_ = 0;         ///< errno of the first failure
     unsigned mode_ = 0644;  ///< permissions of the new file
     bool protected_ = false;
     bool created_ = false;

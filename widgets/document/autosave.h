@@ -13,8 +13,9 @@
 namespace widgets {
 
 /// Keeps a copy of a document's unsaved changes outside the user's files: 2 s after an edit at the
-/// latest, removed when there are none any more. Every session has copy and lock of its own, so that
-/// programs running at once do not meet. Written on a thread of its own: a slow disk holds up nobody.
+/// latest, removed when there are none any more. Every session has copy and lock of its own, so
+/// that programs running at once do not meet. Written on a thread of its own: a slow disk holds up
+/// nobody.
 class Autosave : public QObject {
     Q_OBJECT
   public:
@@ -59,10 +60,10 @@ class Autosave : public QObject {
 
 /// What a program that ended badly left behind.
 struct Leftover {
-    QString copy;       ///< the autosaved file
-    QString original;   ///< the file it belongs to; empty when never saved
-    QByteArray digest;  ///< of what that file held then, as Document::digest()
-    QDateTime time;     ///< when the copy was written
+    QString copy;                     ///< the autosaved file
+    QString original;                 ///< the file it belongs to; empty when never saved
+    QByteArray digest;                ///< of what that file held then, as Document::digest()
+    QDateTime time;                   ///< when the copy was written
     std::shared_ptr<QLockFile> lock;  ///< no other program offers it while this is held
 };
 

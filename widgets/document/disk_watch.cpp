@@ -16,8 +16,7 @@ DiskWatch::DiskWatch(Document* document, QObject* parent) : QObject(parent), doc
     timer_.setInterval(kSettle_ms);
     connect(&timer_, &QTimer::timeout, this, &DiskWatch::look);
     connect(&watcher_, &QFileSystemWatcher::fileChanged, &timer_, qOverload<>(&QTimer::start));
-    connect(&watcher_, &QFileSystemWatcher::directoryChanged, &timer_,
-            qOverload<>(&QTimer::start));
+    connect(&watcher_, &QFileSystemWatcher::directoryChanged, &timer_, qOverload<>(&QTimer::start));
     connect(document_, &Document::fileChanged, this, &DiskWatch::follow);
     follow();
 }

@@ -165,9 +165,7 @@ Document::OnDisk Document::compareWithDisk() const {
         return OnDisk::Same;
     }
     const auto text = simcore::io::readFile(file_.toStdString());
-    return !text                          ? OnDisk::Gone
-           : digestOf(*text) == digest_ ? OnDisk::Same
-                                          : OnDisk::Changed;
+    return !text ? OnDisk::Gone : digestOf(*text) == digest_ ? OnDisk::Same : OnDisk::Changed;
 }
 
 Problems Document::reload() {

@@ -65,6 +65,7 @@ class Document : public QObject {
     simcore::Problems reload();
     /// The file's present content counts as seen, and the project as not saved.
     void keepMine();
+
     /// Of the content last read or written, or seen by keepMine(); empty without a file.
     const QByteArray& digest() const { return digest_; }
 
@@ -98,8 +99,8 @@ class Document : public QObject {
     Derived derived_;
     QUndoStack undo_;
     QString file_;
-    QByteArray digest_;            ///< of the file's content as last seen
-    std::set<QString> backedUp_;  ///< files whose earlier content has been kept
+    QByteArray digest_;                     ///< of the file's content as last seen
+    std::set<QString> backedUp_;            ///< files whose earlier content has been kept
     simcore::project::ProjectFiles files_;  ///< that came with the project
     int mergeRun_ = 0;
 };

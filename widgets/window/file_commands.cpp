@@ -157,10 +157,10 @@ void FileCommands::askAboutChange() {
     if (changeBox_ != nullptr) {
         return;
     }
-    auto* box = new QMessageBox(
-        QMessageBox::Question, tr("Changed on disk"),
-        tr("%1 was changed by another program.").arg(document_->displayName()),
-        QMessageBox::Yes | QMessageBox::No, window_);
+    auto* box =
+        new QMessageBox(QMessageBox::Question, tr("Changed on disk"),
+                        tr("%1 was changed by another program.").arg(document_->displayName()),
+                        QMessageBox::Yes | QMessageBox::No, window_);
     box->setInformativeText(document_->isModified()
                                 ? tr("You have unsaved changes. Reloading can be undone.")
                                 : tr("Reloading can be undone."));
@@ -291,9 +291,10 @@ void FileCommands::offerRecovery() {
         remove(chosen.leftover);
     }
     if (dialog.remaining() > 1) {
-        emit message(tr("%n other project(s) with unsaved changes will be offered at the next "
-                        "start.",
-                        nullptr, dialog.remaining() - 1));
+        emit message(
+            tr("%n other project(s) with unsaved changes will be offered at the next "
+               "start.",
+               nullptr, dialog.remaining() - 1));
     }
 }
 

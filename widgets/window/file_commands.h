@@ -43,8 +43,10 @@ class FileCommands : public QObject {
 
     /// Writes a copy of unsaved work at once, before a run.
     void autosave() { autosave_.writeNow(); }
+
     /// Removes the copy: the program ends well.
     void discardAutosave() { autosave_.discard(); }
+
     /// Offers what programs that ended badly left behind.
     void offerRecovery();
     /// Tells of problems in a box.

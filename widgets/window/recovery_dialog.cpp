@@ -28,10 +28,10 @@ RecoveryDialog::RecoveryDialog(std::vector<Recovered> found, QWidget* parent)
     list_->setAccessibleName(tr("Projects with unsaved changes"));
     for (const Recovered& one : found_) {
         const QFileInfo original(one.leftover.original);
-        const QString name = one.leftover.original.isEmpty()
-                                 ? tr("%1 (never saved)")
-                                       .arg(QString::fromStdString(one.project.rover.name))
-                                 : original.fileName();
+        const QString name =
+            one.leftover.original.isEmpty()
+                ? tr("%1 (never saved)").arg(QString::fromStdString(one.project.rover.name))
+                : original.fileName();
         auto* item = new QListWidgetItem(
             tr("%1, %2").arg(name, QLocale().toString(one.leftover.time, QLocale::ShortFormat)),
             list_);

@@ -26,6 +26,7 @@ class RecoveryDialog : public QDialog {
 
     /// The one to restore, after acceptance.
     const Recovered& chosen() const;
+
     /// How many are left to decide about later.
     int remaining() const { return static_cast<int>(found_.size()); }
 
