@@ -6,6 +6,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 namespace simcore::io {
@@ -15,6 +17,24 @@ Problem systemProblem(const std::filesystem::path& file, const char* what) {
     return {Severity::Critical, file.string(),
             std::string(what) + " (" + std::strerror(errno) + ").",
             "Check the folder, its permissions and the free space; the old file is untouched."};
+}
+
+/// Makes a rename last through a loss of power; the renamed file is there in any case, so that a
+/// folder which cannot be flushed is no failure.
+void flushFolder(const std::filesystem::path& file) {
+    const std::filesystem::path folder = file.parent_path();
+    const int descriptor =
+        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor >= 0) {
+        ::fsync(descriptor);
+        ::close(descriptor);
+    }
+}
+
+/// Renaming asks for the folder's permission only, and root has every one: a file without any
+/// permission to write is meant to stay.
+bool isProtected(const std::filesystem::path& file, const struct stat& status) {
+    return (status.st_mode & 0222) == 0 || ::access(file.c_str(), W_OK) != 0;
 }
 
 }  // namespace
@@ -36,6 +56,17 @@ AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)) {
     std::error_code error;
     target_ = std::filesystem::is_symlink(file_, error) ? std::filesystem::canonical(file_, error)
                                                         : file_;
+
+    struct stat old {};
+
+    if (::stat(target_.c_str(), &old) == 0) {
+        mode_ = old.st_mode & 0777;
+        protected_ = isProtected(target_, old);
+        error_ = protected_ ? EACCES : 0;
+        if (protected_) {
+            return;
+        }
+    }
     temporary_ = (target_.string().empty() ? file_.string() : target_.string()) + ".XXXXXX";
     descriptor_ = ::mkstemp(temporary_.data());
     created_ = descriptor_ >= 0;
@@ -49,6 +80,14 @@ AtomicFile::~AtomicFile() {
     }
 }
 
+void AtomicFile::copyPermissionsOf(const std::filesystem::path& other) {
+    struct stat status {};
+
+    if (::stat(other.c_str(), &status) == 0) {
+        mode_ = status.st_mode & 0777;
+    }
+}
+
 void AtomicFile::write(std::string_view text) {
     if (error_ == 0 && !writeAll(descriptor_, text)) {
         error_ = errno;
@@ -56,15 +95,14 @@ void AtomicFile::write(std::string_view text) {
 }
 
 Result<bool> AtomicFile::commit() {
+    errno = error_;
+    if (protected_) {
+        return systemProblem(file_, "the file is read-only");
+    }
     if (!created_) {
-        errno = error_;
         return systemProblem(file_, "cannot create a file there");
     }
-
-    struct stat old {};
-
-    const mode_t mode = ::stat(target_.c_str(), &old) == 0 ? old.st_mode & 0777 : 0644;
-    if (error_ == 0 && (::fchmod(descriptor_, mode) != 0 || ::fsync(descriptor_) != 0)) {
+    if (error_ == 0 && (::fchmod(descriptor_, mode_) != 0 || ::fsync(descriptor_) != 0)) {
         error_ = errno;
     }
     const bool closed = ::close(descriptor_) == 0;
@@ -75,6 +113,7 @@ Result<bool> AtomicFile::commit() {
         ::unlink(temporary_.c_str());
         return problem;
     }
+    flushFolder(target_);
     return true;
 }
 
@@ -82,6 +121,41 @@ Result<bool> writeFileAtomically(const std::filesystem::path& file, std::string_
     AtomicFile writer(file);
     writer.write(text);
     return writer.commit();
+}
+
+Result<bool> backUp(const std::filesystem::path& file) {
+    std::error_code error;
+    const std::filesystem::path original = std::filesystem::canonical(file, error);
+    const std::filesystem::path backup = backupOf(error ? file : original);
+    const auto text = readFile(file);
+    if (!text) {
+        return text.problems();
+    }
+    AtomicFile writer(backup);
+    writer.copyPermissionsOf(original);
+    writer.write(*text);
+    return writer.commit();
+}
+
+std::filesystem::path backupOf(const std::filesystem::path& file) {
+    return file.string() + "~";
+}
+
+Result<std::string> readFile(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) {
+        return Problem{Severity::Critical, file.string(), "there is no such file.",
+                       "Check the path."};
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (!stream ||
+        (stream.peek() != std::ifstream::traits_type::eof() && !(text << stream.rdbuf())) ||
+        stream.bad()) {
+        return Problem{Severity::Critical, file.string(), "the file cannot be read.",
+                       "Check its permissions."};
+    }
+    return std::move(text).str();
 }
 
 }  // namespace simcore::io

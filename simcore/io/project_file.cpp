@@ -1,9 +1,7 @@
 #include "simcore/io/project_file.h"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -362,18 +360,8 @@ Result<project::Project> parseProject(std::string_view text, const std::string& 
 }
 
 Result<project::Project> loadProject(const std::filesystem::path& file) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) {
-        return Problem{Severity::Critical, file.string(), "there is no such file.",
-                       "Check the path."};
-    }
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (!stream || !(text << stream.rdbuf())) {
-        return Problem{Severity::Critical, file.string(), "the file cannot be read.",
-                       "Check its permissions and that it is not empty."};
-    }
-    return parseProject(text.str(), file.string());
+    const auto text = readFile(file);
+    return text ? parseProject(*text, file.string()) : text.problems();
 }
 
 std::string formatProject(const project::Project& project) {

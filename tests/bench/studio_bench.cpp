@@ -12,7 +12,7 @@
 #include <benchmark/benchmark.h>
 
 #include "tests/bench/stopwatch.h"
-#include "widgets/document/autosave.h"
+#include "widgets/window/file_commands.h"
 #include "widgets/window/main_window.h"
 
 namespace {
@@ -32,7 +32,7 @@ class Studio {
 
     ~Studio() {
         window_.document().undoStack().setClean();
-        widgets::autosave::discard();
+        window_.files().discardAutosave();
     }
 
     Studio(const Studio&) = delete;

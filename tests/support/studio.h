@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "widgets/document/autosave.h"
 #include "widgets/editors/quantity_field.h"
 #include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
@@ -41,7 +40,7 @@ class StudioTest : public testing::Test {
     ~StudioTest() override {
         // Tests leave edits behind; closing must not ask.
         window->document().undoStack().setClean();
-        widgets::autosave::discard();
+        window->files().discardAutosave();
     }
 
     template <class Widget = QWidget>

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "simcore/io/project_file.h"
+#include "simcore/run/simulation.h"
+#include "tests/support/random_edits.h"
 #include "widgets/document/document.h"
 
 using simcore::project::Project;
@@ -133,4 +135,53 @@ TEST_F(DocumentTest, NewProjectIsValidAndFloats) {
     document.createNew();
     EXPECT_FALSE(hasCritical(document.derived().problems)) << toString(document.derived().problems);
     EXPECT_EQ(document.derived().built.mobility, 6);
+}
+
+// ROVER_RANDOM_EDITS is the number of steps.
+TEST_F(DocumentTest, RandomEditsUndoneAllGiveTheSameBytes) {
+    const int steps = testsupport::stepsFrom("ROVER_RANDOM_EDITS", 300);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mine.rover");
+    const std::string before = simcore::io::formatProject(document.project());
+    testsupport::RandomEdits edits(11);
+    for (int step = 0; step < steps && !HasFailure(); ++step) {
+        SCOPED_TRACE("step " + std::to_string(step));
+        switch (edits.below(10)) {
+            case 0:
+                for (int i = edits.below(4); i >= 0; --i) {
+                    document.undoStack().undo();
+                }
+                break;
+            case 1:
+                document.undoStack().redo();
+                break;
+            case 2: {
+                ASSERT_TRUE(document.saveAs(file).empty());
+                EXPECT_FALSE(document.isModified());
+                Document other;
+                ASSERT_TRUE(other.open(file).empty());
+                EXPECT_TRUE(other.project() == document.project());
+                break;
+            }
+            case 3:
+                if (step % 5 == 0 && !document.project().scenarios.empty()) {
+                    simcore::run::RunRequest request;
+                    request.scenario = document.project().scenarios.front().name;
+                    const auto run = simcore::run::prepareRun(document.project(), request);
+                    EXPECT_TRUE(run || hasCritical(run.problems()));
+                }
+                break;
+            default:
+                if (auto next = edits.edit(document.project())) {
+                    document.edit("Edit", std::move(*next));
+                }
+        }
+    }
+    const int count = document.undoStack().count();
+    EXPECT_GT(count, steps / 20);
+    document.undoStack().setIndex(0);
+    EXPECT_EQ(simcore::io::formatProject(document.project()), before);
+    document.undoStack().setIndex(count);
+    document.undoStack().setIndex(0);
+    EXPECT_EQ(simcore::io::formatProject(document.project()), before);
 }

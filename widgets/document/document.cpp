@@ -1,10 +1,12 @@
 #include "widgets/document/document.h"
 
+#include <QCryptographicHash>
 #include <QFileInfo>
 #include <QUndoCommand>
 #include <filesystem>
 #include <utility>
 
+#include "simcore/io/atomic_file.h"
 #include "simcore/io/project_file.h"
 
 namespace widgets {
@@ -32,6 +34,11 @@ Project emptyProject() {
     flat.name = "flat";
     project.scenarios.push_back(flat);
     return project;
+}
+
+QByteArray digestOf(const std::string& text) {
+    return QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256)
+        .toHex();
 }
 
 }  // namespace
@@ -95,11 +102,15 @@ void Document::createNew() {
 }
 
 Problems Document::open(const QString& file) {
-    auto project = simcore::io::loadProject(file.toStdString());
+    const auto text = simcore::io::readFile(file.toStdString());
+    if (!text) {
+        return text.problems();
+    }
+    auto project = simcore::io::parseProject(*text, file.toStdString());
     if (!project) {
         return project.problems();
     }
-    start(std::move(project).value(), QFileInfo(file).absoluteFilePath());
+    start(std::move(project).value(), QFileInfo(file).absoluteFilePath(), {}, digestOf(*text));
     return {};
 }
 
@@ -113,30 +124,69 @@ Problems Document::openCopy(const QString& file) {
 }
 
 Problems Document::saveAs(const QString& file) {
-    Problems problems = saveCopy(file);
-    if (problems.empty()) {
-        const auto before = files();
-        file_ = QFileInfo(file).absoluteFilePath();
-        if (files() != before) {
-            show(project_);  // terrain files may be found now, or no longer
+    const QString path = QFileInfo(file).absoluteFilePath();
+    const std::string text = simcore::io::formatProject(*project_);
+    Problems warnings;
+    const bool changed = path == file_ && compareWithDisk() == OnDisk::Changed;
+    const bool keep = QFileInfo::exists(path) && (changed || backedUp_.count(path) == 0);
+    if (keep) {
+        warnings = simcore::io::backUp(path.toStdString()).problems();
+        for (simcore::Problem& problem : warnings) {
+            problem.severity = simcore::Severity::Warning;
         }
-        undo_.setClean();
-        endMerging();
-        emit fileChanged();
     }
-    return problems;
-}
-
-Problems Document::saveCopy(const QString& file) const {
-    return simcore::io::saveProject(*project_, file.toStdString()).problems();
+    if (auto written = simcore::io::writeFileAtomically(path.toStdString(), text); !written) {
+        return written.problems();
+    }
+    backedUp_.insert(path);
+    const auto before = files();
+    file_ = path;
+    digest_ = digestOf(text);
+    if (files() != before) {
+        show(project_);  // terrain files may be found now, or no longer
+    }
+    undo_.setClean();
+    endMerging();
+    emit fileChanged();
+    return warnings;
 }
 
 void Document::openProject(Project project, simcore::project::ProjectFiles files) {
     start(std::move(project), {}, std::move(files));
 }
 
-void Document::recover(Project project, const QString& file) {
-    start(std::move(project), file);
+void Document::recover(Project project, const QString& file, const QByteArray& digest) {
+    start(std::move(project), file, {}, digest);
+    undo_.resetClean();
+}
+
+Document::OnDisk Document::compareWithDisk() const {
+    if (file_.isEmpty()) {
+        return OnDisk::Same;
+    }
+    const auto text = simcore::io::readFile(file_.toStdString());
+    return !text ? OnDisk::Gone : digestOf(*text) == digest_ ? OnDisk::Same : OnDisk::Changed;
+}
+
+Problems Document::reload() {
+    const auto text = simcore::io::readFile(file_.toStdString());
+    if (!text) {
+        return text.problems();
+    }
+    auto project = simcore::io::parseProject(*text, file_.toStdString());
+    if (!project) {
+        return project.problems();
+    }
+    edit(tr("Reload"), std::move(project).value());
+    digest_ = digestOf(*text);
+    undo_.setClean();
+    endMerging();
+    return {};
+}
+
+void Document::keepMine() {
+    const auto text = simcore::io::readFile(file_.toStdString());
+    digest_ = text ? digestOf(*text) : QByteArray();
     undo_.resetClean();
 }
 
@@ -157,11 +207,14 @@ void Document::show(ProjectPtr project) {
     emit changed();
 }
 
-void Document::start(Project project, const QString& file, simcore::project::ProjectFiles files) {
+void Document::start(Project project, const QString& file, simcore::project::ProjectFiles files,
+                     const QByteArray& digest) {
     undo_.clear();
     undo_.setClean();
     endMerging();
     file_ = file;
+    digest_ = digest;
+    backedUp_.clear();
     files_ = std::move(files);
     show(std::make_shared<const Project>(std::move(project)));
     emit replaced();

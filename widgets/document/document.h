@@ -1,9 +1,11 @@
 #pragma once
 
+#include <QByteArray>
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
 #include <memory>
+#include <set>
 
 #include "widgets/document/derived.h"
 
@@ -19,6 +21,9 @@ class Document : public QObject {
     explicit Document(QObject* parent = nullptr);
 
     const simcore::project::Project& project() const { return *project_; }
+
+    /// The project as it is now, for another thread.
+    std::shared_ptr<const simcore::project::Project> snapshot() const { return project_; }
 
     const Derived& derived() const { return derived_; }
 
@@ -37,14 +42,32 @@ class Document : public QObject {
     simcore::Problems open(const QString& file);
     /// Reads a file as a template: it becomes a project without a file.
     simcore::Problems openCopy(const QString& file);
-    /// Writes to `file`, which becomes the document's; problems when it could not be written.
+    /// Writes to `file`, which becomes the document's. A critical problem when it could not be
+    /// written: nothing is changed then, on disk or here. What the file held is kept as "NAME~",
+    /// once while a project is open and whenever somebody else changed it; a warning when it could
+    /// not be.
     simcore::Problems saveAs(const QString& file);
-    /// Writes a copy and changes nothing.
-    simcore::Problems saveCopy(const QString& file) const;
     /// Takes a project out of a recording: it has no file, and `files` may carry what it names.
     void openProject(simcore::project::Project project, simcore::project::ProjectFiles files);
-    /// Takes a project recovered from an autosaved copy: modified, belonging to `file`.
-    void recover(simcore::project::Project project, const QString& file);
+    /// Takes a project recovered from an autosaved copy: modified, belonging to `file`, whose
+    /// content was last seen as `digest`.
+    void recover(simcore::project::Project project, const QString& file, const QByteArray& digest);
+
+    /// How the file is now, beside what was last read from it or written to it.
+    enum class OnDisk {
+        Same,  ///< or there is no file
+        Changed,
+        Gone  ///< or cannot be read
+    };
+    OnDisk compareWithDisk() const;
+    /// Takes what the file holds now, as an edit that can be undone. On failure nothing is changed
+    /// and the problems tell why.
+    simcore::Problems reload();
+    /// The file's present content counts as seen, and the project as not saved.
+    void keepMine();
+
+    /// Of the content last read or written, or seen by keepMine(); empty without a file.
+    const QByteArray& digest() const { return digest_; }
 
     /// Absolute path; empty when never saved.
     QString file() const { return file_; }
@@ -70,12 +93,14 @@ class Document : public QObject {
     using ProjectPtr = std::shared_ptr<const simcore::project::Project>;
     void show(ProjectPtr project);
     void start(simcore::project::Project project, const QString& file,
-               simcore::project::ProjectFiles files = {});
+               simcore::project::ProjectFiles files = {}, const QByteArray& digest = {});
 
     ProjectPtr project_;
     Derived derived_;
     QUndoStack undo_;
     QString file_;
+    QByteArray digest_;                     ///< of the file's content as last seen
+    std::set<QString> backedUp_;            ///< files whose earlier content has been kept
     simcore::project::ProjectFiles files_;  ///< that came with the project
     int mergeRun_ = 0;
 };

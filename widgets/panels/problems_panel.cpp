@@ -118,14 +118,20 @@ bool ProblemsPanel::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
 }
 
+void ProblemsPanel::setStanding(const Problems& problems) {
+    standing_ = problems;
+    refresh();
+}
+
 void ProblemsPanel::showMore(const Problems& problems) {
-    Problems all = document_->derived().problems;
+    Problems all = standing_;
+    appendNew(all, document_->derived().problems);
     appendNew(all, problems);
     fill(all);
 }
 
 void ProblemsPanel::refresh() {
-    fill(document_->derived().problems);
+    showMore({});
 }
 
 void ProblemsPanel::fill(const Problems& problems) {

@@ -26,6 +26,9 @@ class ProblemsPanel : public QWidget {
     /// Shows problems from elsewhere (a run that cannot start) until the next edit.
     void showMore(const simcore::Problems& problems);
 
+    /// Problems that are not the project's: shown through every edit, until others are set.
+    void setStanding(const simcore::Problems& problems);
+
     int count() const;
 
   signals:
@@ -63,6 +66,7 @@ class ProblemsPanel : public QWidget {
     QStringList hidden_;  ///< kinds of findings
     simcore::Problems problems_;
     std::vector<Entry> shown_;
+    simcore::Problems standing_;
 };
 
 }  // namespace widgets

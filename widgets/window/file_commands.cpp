@@ -4,13 +4,14 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
 
 #include "simcore/io/project_file.h"
-#include "widgets/document/autosave.h"
 #include "widgets/session/may_replace.h"
 #include "widgets/window/new_rover_dialog.h"
+#include "widgets/window/recovery_dialog.h"
 
 namespace widgets {
 
@@ -19,7 +20,6 @@ using simcore::Problems;
 namespace {
 
 constexpr int kRecentLimit = 8;
-constexpr int kAutosavePeriod_ms = 120000;
 constexpr const char* kRecentKey = "files/recent";
 const char* const kFilter =
     QT_TRANSLATE_NOOP("widgets::FileCommands", "RoverStudio projects (*.rover);;All files (*)");
@@ -29,17 +29,18 @@ const char* const kFilter =
 FileCommands::FileCommands(Document* document, QWidget* window)
     : QObject(window),
       document_(document),
-      window_(window) {
-    autosaveTimer_.setInterval(kAutosavePeriod_ms);
-    connect(&autosaveTimer_, &QTimer::timeout, this, &FileCommands::autosave);
-    connect(document_, &Document::modifiedChanged, this, [this](bool modified) {
-        if (modified) {
-            autosaveTimer_.start();
-        } else {
-            autosaveTimer_.stop();
-            autosave::discard();
-        }
+      window_(window),
+      autosave_(document),
+      watch_(document) {
+    connect(&autosave_, &Autosave::failed, this, [this](const Problems& problems) {
+        emit message(tr("Unsaved work cannot be kept safe: %1")
+                         .arg(QString::fromStdString(problems.front().reason)));
+        emit autosaveProblems(problems);
     });
+    connect(&autosave_, &Autosave::worksAgain, this, [this] { emit autosaveProblems({}); });
+    connect(&watch_, &DiskWatch::changed, this, &FileCommands::askAboutChange);
+    connect(&watch_, &DiskWatch::gone, this, &FileCommands::onGone);
+    connect(&watch_, &DiskWatch::settled, this, [this] { delete changeBox_; });
 }
 
 void FileCommands::createNew() {
@@ -93,16 +94,100 @@ void FileCommands::openExample(const QString& file) {
 }
 
 bool FileCommands::save() {
-    if (document_->file().isEmpty()) {
+    const QString file = document_->file();
+    if (file.isEmpty()) {
         return saveAs();
     }
-    const Problems problems = document_->saveAs(document_->file());
-    if (!problems.empty()) {
-        complain(tr("The project was not saved"), problems);
-        return false;
+    const Document::OnDisk onDisk = document_->compareWithDisk();
+    if (onDisk == Document::OnDisk::Same) {
+        return write(file);
     }
-    emit message(tr("Saved %1").arg(document_->file()));
+    const bool gone = onDisk == Document::OnDisk::Gone;
+    QMessageBox box(QMessageBox::Warning, tr("Changed on disk"),
+                    gone ? tr("%1 is no longer there, or cannot be read.").arg(file)
+                         : tr("%1 was changed by somebody else since it was read.").arg(file),
+                    QMessageBox::Yes | QMessageBox::Save | QMessageBox::Cancel, window_);
+    box.setInformativeText(gone ? tr("It was removed, renamed or moved.")
+                                : tr("What it holds now is kept as %1 if you replace it.")
+                                      .arg(QFileInfo(file).fileName() + "~"));
+    box.button(QMessageBox::Yes)->setText(gone ? tr("&Write it again") : tr("&Replace it"));
+    box.button(QMessageBox::Save)->setText(tr("&Save as..."));
+    box.setDefaultButton(QMessageBox::Save);
+    box.setObjectName("overwrite");
+    switch (box.exec()) {
+        case QMessageBox::Yes:
+            return write(file);
+        case QMessageBox::Save:
+            return saveAs();
+        default:
+            return false;
+    }
+}
+
+bool FileCommands::write(const QString& file) {
+    const Problems problems = document_->saveAs(file);
+    if (hasCritical(problems)) {
+        return offerSaveAs(problems);
+    }
+    const auto carried = document_->files().carried;
+    if (!problems.empty()) {
+        emit message(tr("Saved %1, but what it held before could not be kept: %2")
+                         .arg(file, QString::fromStdString(problems.front().reason)));
+        emit this->problems(problems);
+    } else if (carried && !carried->empty()) {
+        emit message(tr("Saved %1; the files of its ground are in the recording only").arg(file));
+    } else {
+        emit message(tr("Saved %1").arg(file));
+    }
     return true;
+}
+
+bool FileCommands::offerSaveAs(const Problems& problems) {
+    const QString title = tr("The project was not saved");
+    QMessageBox box(QMessageBox::Warning, title, title, QMessageBox::Save | QMessageBox::Cancel,
+                    window_);
+    box.setInformativeText(QString::fromStdString(toString(problems)));
+    box.button(QMessageBox::Save)->setText(tr("&Save as..."));
+    box.setDefaultButton(QMessageBox::Save);
+    box.setObjectName("notSaved");
+    return box.exec() == QMessageBox::Save && saveAs();
+}
+
+void FileCommands::askAboutChange() {
+    if (changeBox_ != nullptr) {
+        return;
+    }
+    auto* box =
+        new QMessageBox(QMessageBox::Question, tr("Changed on disk"),
+                        tr("%1 was changed by another program.").arg(document_->displayName()),
+                        QMessageBox::Yes | QMessageBox::No, window_);
+    box->setInformativeText(document_->isModified()
+                                ? tr("You have unsaved changes. Reloading can be undone.")
+                                : tr("Reloading can be undone."));
+    box->button(QMessageBox::Yes)->setText(tr("&Reload"));
+    box->button(QMessageBox::No)->setText(tr("&Keep mine"));
+    box->setEscapeButton(QMessageBox::No);
+    box->setObjectName("changedOnDisk");
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setModal(false);
+    changeBox_ = box;
+    connect(box, &QMessageBox::finished, this, [this](int answer) {
+        changeBox_ = nullptr;
+        if (answer != QMessageBox::Yes) {
+            document_->keepMine();
+        } else if (const Problems problems = document_->reload(); !problems.empty()) {
+            document_->keepMine();
+            complain(tr("The project cannot be read again"), problems);
+        }
+        watch_.look();
+    });
+    box->show();
+}
+
+void FileCommands::onGone() {
+    delete changeBox_;
+    document_->keepMine();
+    emit message(tr("%1 is no longer there: save the project to keep it.").arg(document_->file()));
 }
 
 bool FileCommands::saveAs() {
@@ -122,16 +207,10 @@ bool FileCommands::saveAs() {
             return false;
         }
     }
-    const Problems problems = document_->saveAs(file);
-    if (!problems.empty()) {
-        complain(tr("The project was not saved"), problems);
+    if (!write(file)) {
         return false;
     }
-    remember(file);
-    const auto carried = document_->files().carried;
-    emit message(carried && !carried->empty()
-                     ? tr("Saved %1; the files of its ground are in the recording only").arg(file)
-                     : tr("Saved %1").arg(file));
+    remember(document_->file());
     return true;
 }
 
@@ -149,7 +228,7 @@ bool FileCommands::mayDiscard() {
         case QMessageBox::Save:
             return save();
         case QMessageBox::Discard:
-            autosave::discard();
+            // Their copy stays until another project is there: opening that may fail.
             return true;
         default:
             return false;
@@ -189,40 +268,34 @@ QStringList FileCommands::exampleFiles() const {
     return files;
 }
 
-void FileCommands::autosave() {
-    if (!document_->isModified()) {
-        return;
-    }
-    const Problems problems = autosave::write(*document_);
-    if (!problems.empty()) {
-        emit message(tr("No copy could be autosaved: %1")
-                         .arg(QString::fromStdString(problems.front().reason)));
-    }
-}
-
 void FileCommands::offerRecovery() {
-    const auto leftover = autosave::findLeftover();
-    if (!leftover) {
+    std::vector<Recovered> found;
+    for (Leftover& leftover : findLeftovers()) {
+        auto project = simcore::io::loadProject(leftover.copy.toStdString());
+        if (project) {
+            found.push_back({std::move(leftover), std::move(project).value()});
+        } else {
+            emit problems(project.problems());  // left there, for who can read it
+        }
+    }
+    if (found.empty()) {
         return;
     }
-    auto project = simcore::io::loadProject(leftover->copy.toStdString());
-    if (!project) {
-        autosave::remove(*leftover);
+    RecoveryDialog dialog(std::move(found), window_);
+    if (dialog.exec() != QDialog::Accepted || !mayDiscard()) {
         return;
     }
-    const QString name = leftover->original.isEmpty() ? QString::fromStdString(project->rover.name)
-                                                      : QFileInfo(leftover->original).fileName();
-    QMessageBox box(
-        QMessageBox::Question, tr("Unsaved work found"),
-        tr("RoverStudio did not end well. Restore the unsaved changes to %1?").arg(name),
-        QMessageBox::Yes | QMessageBox::No, window_);
-    box.setObjectName("recovery");
-    box.setInformativeText(tr("With No they are thrown away."));
-    if (box.exec() == QMessageBox::Yes) {
-        document_->recover(std::move(project).value(), leftover->original);
-        autosave();
+    const Recovered& chosen = dialog.chosen();
+    document_->recover(chosen.project, chosen.leftover.original, chosen.leftover.digest);
+    if (autosave_.writeNow()) {
+        remove(chosen.leftover);
     }
-    autosave::remove(*leftover);
+    if (dialog.remaining() > 1) {
+        emit message(
+            tr("%n other project(s) with unsaved changes will be offered at the next "
+               "start.",
+               nullptr, dialog.remaining() - 1));
+    }
 }
 
 void FileCommands::complain(const QString& title, const Problems& problems) const {

@@ -23,7 +23,6 @@
 #include "simcore/base/version.h"
 #include "simcore/project/element_names.h"
 #include "simcore/project/units.h"
-#include "widgets/document/autosave.h"
 #include "widgets/editors/parameter_panel.h"
 #include "widgets/editors/parts_panel.h"
 #include "widgets/editors/parts_tree.h"
@@ -300,6 +299,8 @@ void MainWindow::connectParts() {
     });
     connect(document_, &Document::modifiedChanged, this, &MainWindow::setWindowModified);
     connect(files_, &FileCommands::message, this, &MainWindow::tell);
+    connect(files_, &FileCommands::problems, problems_, &ProblemsPanel::showMore);
+    connect(files_, &FileCommands::autosaveProblems, problems_, &ProblemsPanel::setStanding);
     connect(recordings_, &RecordingCommands::message, this, &MainWindow::tell);
     connect(recordings_, &RecordingCommands::opened, this, &MainWindow::showRecording);
     connect(files_, &FileCommands::recentFilesChanged, this, &MainWindow::updateRecent);
@@ -700,7 +701,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings.setValue("window/geometry", saveGeometry());
     settings.setValue("window/state", saveState(kLayoutVersion));
     settings.setValue("window/dark", dark_);
-    autosave::discard();
+    files_->discardAutosave();
     event->accept();
 }
 

@@ -1,8 +1,6 @@
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -11,9 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "simcore/io/atomic_file.h"
+#include "tests/support/file_size_limit.h"
 
 using namespace simcore;
+using simcore::io::backUp;
 using simcore::io::writeFileAtomically;
+using testsupport::FileSizeLimit;
 namespace fs = std::filesystem;
 
 namespace {
@@ -40,29 +41,6 @@ class AtomicFileTest : public testing::Test {
     }
 
     fs::path folder_;
-};
-
-/// Lets files grow to `bytes` only, as a full disk would.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t bytes) {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit{bytes, before_.rlim_max};
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-
-    ~FileSizeLimit() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-  private:
-    rlimit before_{};
-    void (*handler_)(int) = SIG_DFL;
 };
 
 }  // namespace
@@ -111,4 +89,42 @@ TEST_F(AtomicFileTest, PermissionsAndLinksAreKept) {
     EXPECT_TRUE(fs::is_symlink(link));
     EXPECT_EQ(contentOf(file), "new");
     EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+// Renaming would do it, for a folder that may be written to.
+TEST_F(AtomicFileTest, WriteProtectedFileIsNotReplaced) {
+    const fs::path file = folder_ / "a.rover";
+    ASSERT_TRUE(writeFileAtomically(file, "old"));
+    fs::permissions(file, fs::perms::owner_read);
+    const auto result = writeFileAtomically(file, "new");
+    ASSERT_FALSE(result);
+    EXPECT_THAT(result.problems()[0].reason, testing::HasSubstr("read-only"));
+    EXPECT_EQ(contentOf(file), "old");
+    EXPECT_EQ(filesInFolder(), 1u) << "temporary files are left";
+}
+
+TEST_F(AtomicFileTest, BackupHasContentAndPermissions) {
+    const fs::path file = folder_ / "a.rover";
+    const fs::path link = folder_ / "link.rover";
+    ASSERT_TRUE(writeFileAtomically(file, "first"));
+    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink("a.rover", link);
+    ASSERT_TRUE(backUp(link));
+    const fs::path backup = folder_ / "a.rover~";
+    EXPECT_EQ(contentOf(backup), "first");
+    EXPECT_EQ(fs::status(backup).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    ASSERT_TRUE(writeFileAtomically(file, "second"));
+    ASSERT_TRUE(backUp(file));
+    EXPECT_EQ(contentOf(backup), "second");
+    EXPECT_EQ(contentOf(file), "second");
+}
+
+TEST_F(AtomicFileTest, FailedBackupLeavesTheOlderOne) {
+    const fs::path file = folder_ / "a.rover";
+    ASSERT_TRUE(writeFileAtomically(file, std::string(5000, 'x')));
+    ASSERT_TRUE(writeFileAtomically(folder_ / "a.rover~", "older"));
+    const FileSizeLimit limit(1000);
+    EXPECT_FALSE(backUp(file));
+    EXPECT_EQ(contentOf(folder_ / "a.rover~"), "older");
+    EXPECT_EQ(contentOf(file).size(), 5000u);
 }
