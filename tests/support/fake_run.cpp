@@ -84,8 +84,12 @@ class FakeStepper final : public Stepper {
         snapshot_.distance += snapshot_.speed * run_.step;
         snapshot_.bodies[0].position = Vec3(snapshot_.distance, 0.0, 0.0);
         snapshot_.centerOfMass = snapshot_.bodies[0].position + Vec3(0.0, 0.0, 0.2);
+        snapshot_.intent.commonTorque = 0.1 * chaos_;
+        snapshot_.intent.requiredFriction = 0.3;
+        snapshot_.intent.frictionCap = 0.5;
         for (std::size_t i = 0; i < kWheels.size(); ++i) {
             WheelState& wheel = snapshot_.wheels[i];
+            snapshot_.intent.wheels[i] = {0.2, 20.0, snapshot_.speed / 0.07};
             const double x = snapshot_.distance + kWheelX[i] - 1.0;
             const double bump = std::exp(-x * x / 0.02);
             const double noise = chaos_ - 0.5;
