@@ -187,7 +187,7 @@ QWidget* ComparePanel::makeRuns() {
     connect(runs_, &QTreeWidget::itemSelectionChanged, this, [this] {
         remove_->setEnabled(runs_->currentItem() != nullptr && idOf(runs_->currentItem()) > 0);
     });
-    const auto button = [this](const QString& text, const QString& name, const QString& tip) {
+    const auto button = [](const QString& text, const QString& name, const QString& tip) {
         auto* one = new QPushButton(text);
         one->setObjectName(name);
         one->setToolTip(tip);
