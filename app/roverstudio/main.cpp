@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QFileInfo>
+#include <QIcon>
 #include <QTimer>
 #include <cstdio>
 #include <string>
@@ -238,6 +239,8 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     QApplication::setOrganizationName("RoverStudio");
     QApplication::setApplicationName("RoverStudio");
+    QApplication::setWindowIcon(QIcon::fromTheme("roverstudio"));
+    QApplication::setDesktopFileName("roverstudio");
     QApplication::setApplicationVersion(QString::fromStdString(simcore::programVersion()));
     return run(options);
 }
