@@ -18,6 +18,7 @@
 #include "widgets/session/statics_session.h"
 #include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
+#include "widgets/window/language.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/recording_commands.h"
 
@@ -34,6 +35,7 @@ struct Options {
     std::string screenshot;
     std::string size = "1440x900";
     std::string theme;
+    std::string language;
     std::string scenario;
     std::string panel;
     std::string controller, against;
@@ -56,6 +58,15 @@ QSize sizeFrom(const std::string& text) {
                    size.height() <= 16384
                ? size
                : QSize();
+}
+
+/// Pictures are the same on every machine, whatever its settings.
+QString languageOf(const Options& options) {
+    if (!options.language.empty() || !options.screenshot.empty()) {
+        return options.language.empty() ? "en" : QString::fromStdString(options.language);
+    }
+    const QString chosen = widgets::chosenLanguage();
+    return chosen.isEmpty() ? widgets::systemLanguage() : chosen;
 }
 
 /// Lets the event loop run until `done` or for `limit` [ms].
@@ -207,6 +218,14 @@ int main(int argc, char** argv) {
         });
     commands.add_option("--theme", options.theme, "dark or light")
         ->check(CLI::IsMember({"dark", "light"}));
+    std::vector<std::string> languages;
+    for (const QString& language : widgets::languages()) {
+        languages.push_back(language.toStdString());
+    }
+    commands
+        .add_option("--language", options.language,
+                    "language of the window; pictures are in English without it")
+        ->check(CLI::IsMember(languages));
     commands.add_option("--scenario", options.scenario, "scenario to choose");
     commands.add_option("--panel", options.panel, "panel to bring to the front")
         ->check(CLI::IsMember(
@@ -239,5 +258,6 @@ int main(int argc, char** argv) {
     QApplication::setOrganizationName("RoverStudio");
     QApplication::setApplicationName("RoverStudio");
     QApplication::setApplicationVersion(QString::fromStdString(simcore::programVersion()));
+    widgets::installLanguage(languageOf(options));
     return run(options);
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "render/palette.h"
+#include "widgets/plots/channel_titles.h"
 
 namespace widgets {
 namespace {
@@ -55,7 +56,7 @@ void addQuantities(const std::vector<simcore::run::Channel>& channels,
         if (known) {
             continue;
         }
-        ShownQuantity shown{name, QString::fromStdString(channel.label),
+        ShownQuantity shown{name, channelTitle(channel.label),
                             QString::fromStdString(channel.unit), 1.0,
                             group == simcore::run::ChannelGroup::Chassis};
         if (shown.unit == "rad") {
@@ -81,6 +82,7 @@ WheelPlot::WheelPlot(QWidget* parent)
       mouse_(new QCPItemStraightLine(plot_)),
       hint_(new QCPItemText(plot_)) {
     plot_->setMinimumSize(200, 110);
+    plot_->setLocale(QLocale::c());  // a decimal point, as everywhere
     plot_->setMouseTracking(true);
     plot_->setNoAntialiasingOnDrag(true);
     plot_->setPlottingHint(QCP::phFastPolylines);

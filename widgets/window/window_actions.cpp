@@ -9,6 +9,7 @@
 #include <QSettings>
 
 #include "simcore/io/project_file.h"
+#include "widgets/editors/field_info.h"
 #include "widgets/editors/parts_panel.h"
 #include "widgets/editors/parts_tree.h"
 #include "widgets/plots/plot_panel.h"
@@ -17,6 +18,7 @@
 #include "widgets/session/run_library.h"
 #include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
+#include "widgets/window/language.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/recording_commands.h"
 
@@ -127,7 +129,7 @@ void MainWindow::makePartActions() {
                   });
     for (const ElementKind kind : simcore::project::allElementKinds()) {
         const QString title = kindTitle(kind);
-        actions_->add(addActionName(kind), title, {}, tr("Add: %1").arg(title.toLower()),
+        actions_->add(addActionName(kind), title, {}, tr("Add: %1").arg(inSentence(title)),
                       [this, kind] {
                           showPanel("rover");
                           tree_->add(kind);
@@ -220,10 +222,31 @@ void MainWindow::makeViewActions() {
         action->setCheckable(true);
         themes->addAction(action);
     }
+    makeLanguageActions();
     actions_->add("fullScreen", tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, {},
                   [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     actions_->add("resetLayout", tr("&Reset panels"), {}, tr("All panels back to their places"),
                   [this] { restoreState(firstLayout_, kLayoutVersion); });
+}
+
+void MainWindow::makeLanguageActions() {
+    languageMenu_ = new QMenu(tr("&Language"), this);
+    auto* group = new QActionGroup(this);
+    for (const QString& language : QStringList{QString()} + languages()) {
+        const QString name = language.isEmpty() ? "System" : language.toUpper();
+        QAction* action = actions_->add(
+            "language" + name, language.isEmpty() ? tr("As the &system") : languageName(language),
+            {}, {}, [this, language] {
+                chooseLanguage(language);
+                QMessageBox::information(
+                    this, tr("Language"),
+                    tr("The language changes when RoverStudio is started the next time."));
+            });
+        action->setCheckable(true);
+        action->setChecked(language == chosenLanguage());
+        group->addAction(action);
+        languageMenu_->addAction(action);
+    }
 }
 
 void MainWindow::makeRunActions() {
@@ -317,6 +340,7 @@ void MainWindow::makeMenus() {
     view->addMenu(panelMenu_);
     QMenu* theme = view->addMenu(tr("T&heme"));
     fill(theme, {"themeDark", "themeLight"});
+    view->addMenu(languageMenu_);
     fill(view, {"resetLayout", "fullScreen"});
     fill(menuBar()->addMenu(tr("&Run")),
          {"playPause", "step", "stepBack", "live", "reset", "runAgain", "", "keepRun", "experiment",
