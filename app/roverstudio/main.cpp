@@ -19,6 +19,7 @@
 #include "widgets/session/statics_session.h"
 #include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
+#include "widgets/window/language.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/recording_commands.h"
 
@@ -35,6 +36,7 @@ struct Options {
     std::string screenshot;
     std::string size = "1440x900";
     std::string theme;
+    std::string language;
     std::string scenario;
     std::string panel;
     std::string controller, against;
@@ -57,6 +59,15 @@ QSize sizeFrom(const std::string& text) {
                    size.height() <= 16384
                ? size
                : QSize();
+}
+
+/// Pictures are the same on every machine, whatever its settings.
+QString languageOf(const Options& options) {
+    if (!options.language.empty() || !options.screenshot.empty()) {
+        return options.language.empty() ? "en" : QString::fromStdString(options.language);
+    }
+    const QString chosen = widgets::chosenLanguage();
+    return chosen.isEmpty() ? widgets::systemLanguage() : chosen;
 }
 
 /// Lets the event loop run until `done` or for `limit` [ms].
@@ -208,6 +219,14 @@ int main(int argc, char** argv) {
         });
     commands.add_option("--theme", options.theme, "dark or light")
         ->check(CLI::IsMember({"dark", "light"}));
+    std::vector<std::string> languages;
+    for (const QString& language : widgets::languages()) {
+        languages.push_back(language.toStdString());
+    }
+    commands
+        .add_option("--language", options.language,
+                    "language of the window; pictures are in English without it")
+        ->check(CLI::IsMember(languages));
     commands.add_option("--scenario", options.scenario, "scenario to choose");
     commands.add_option("--panel", options.panel, "panel to bring to the front")
         ->check(CLI::IsMember({"rover", "mobility", "advisor", "motions", "statics", "compare",
@@ -242,5 +261,6 @@ int main(int argc, char** argv) {
     QApplication::setWindowIcon(QIcon::fromTheme("roverstudio"));
     QApplication::setDesktopFileName("roverstudio");
     QApplication::setApplicationVersion(QString::fromStdString(simcore::programVersion()));
+    widgets::installLanguage(languageOf(options));
     return run(options);
 }

@@ -226,6 +226,11 @@ FieldInfo fieldInfo(const QString& element, const QString& key) {
     return {key, {}, {}, true};
 }
 
+QString inSentence(const QString& title) {
+    //: Case of a noun in the middle of a sentence: "lower", or "keep" where nouns have capitals.
+    return QCoreApplication::translate("fields", "lower") == "lower" ? title.toLower() : title;
+}
+
 bool shapeUses(simcore::project::ShapeKind kind, const QString& key) {
     using simcore::project::ShapeKind;
     if (key == "kind" || key == "color") {

@@ -17,6 +17,9 @@ struct FieldInfo {
 /// `element` is the kind of element ("body", "motor", ...), `key` the field's name in the file.
 FieldInfo fieldInfo(const QString& element, const QString& key);
 
+/// A title's words in the middle of a sentence: small in English; German nouns keep their capital.
+QString inSentence(const QString& title);
+
 /// Fields of a terrain that its kind uses.
 bool terrainUses(simcore::project::TerrainKind kind, const QString& key);
 

@@ -12,6 +12,7 @@
 #include "simcore/project/names.h"
 #include "simcore/project/units.h"
 #include "widgets/document/parts_clipboard.h"
+#include "widgets/editors/field_info.h"
 
 namespace widgets {
 
@@ -364,7 +365,7 @@ void PartsTree::selectAppended(const Project& before, ElementRef current) {
 
 void PartsTree::add(ElementKind kind) {
     const Project before = document_->project();
-    if (apply(tr("Add %1").arg(kindTitle(kind).toLower()), added(before, kind))) {
+    if (apply(tr("Add %1").arg(inSentence(kindTitle(kind))), added(before, kind))) {
         // What came with it is not what was asked for.
         selectAppended(before, {kind, countOf(document_->project(), kind) - 1});
     }

@@ -535,19 +535,19 @@ class PropertyFormBuilder {
             if constexpr (std::is_same_v<Part, simcore::project::Shape>) {
                 listButton(
                     PropertyPanel::tr("Duplicate"),
-                    PropertyPanel::tr("Duplicate %1 %2").arg(info.label.toLower()).arg(i + 1),
+                    PropertyPanel::tr("Duplicate %1 %2").arg(inSentence(info.label)).arg(i + 1),
                     field, [i](std::vector<Part>& parts) {
                         parts.insert(parts.begin() + static_cast<std::ptrdiff_t>(i), parts[i]);
                     });
             }
             listButton(PropertyPanel::tr("Remove"),
-                       PropertyPanel::tr("Remove %1 %2").arg(info.label.toLower()).arg(i + 1),
+                       PropertyPanel::tr("Remove %1 %2").arg(inSentence(info.label)).arg(i + 1),
                        field, [i](std::vector<Part>& parts) {
                            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i));
                        });
         }
         auto* add = listButton(PropertyPanel::tr("Add"),
-                               PropertyPanel::tr("Add to %1").arg(info.label.toLower()), field,
+                               PropertyPanel::tr("Add to %1").arg(inSentence(info.label)), field,
                                [](std::vector<Part>& parts) { parts.push_back(firstOf<Part>()); });
         add->setObjectName(QString("add:") + key);
     }

@@ -1,5 +1,6 @@
 #include "widgets/panels/advisor_page.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -9,6 +10,7 @@
 #include <QStyle>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <string_view>
 
 #include "widgets/panels/advice_text.h"
 
@@ -26,11 +28,13 @@ constexpr double kLonger = 6.0;       // how much longer the next search may tak
 constexpr int kTick_ms = 100;
 constexpr int kProposalRole = Qt::UserRole;
 constexpr int kChangeRole = Qt::UserRole + 1;
-const std::string kContact = "contact ";
+constexpr std::string_view kContact = "contact ";
 
 QTreeWidgetItem* proposalItem(const Proposal& proposal, int index) {
     auto* item = new QTreeWidgetItem(
-        {AdvisorPage::tr("%1: %2 changes").arg(index + 1).arg(proposal.changed),
+        {QCoreApplication::translate("widgets::AdvisorPage", "%1: %2 changes")
+             .arg(index + 1)
+             .arg(proposal.changed),
          QString::number(proposal.cost), QString::number(proposal.margin, 'f', 2)});
     item->setData(0, kProposalRole, index);
     item->setData(0, kChangeRole, -1);

@@ -1,4 +1,5 @@
 #include "widgets/panels/mobility_panel.h"
+#include "widgets/panels/mobility_text.h"
 
 #include <QButtonGroup>
 #include <QGridLayout>
@@ -390,7 +391,7 @@ void MobilityPanel::showTable() {
         headline_->style()->unpolish(headline_);
         headline_->style()->polish(headline_);
     }
-    verdict_->setText(QString::fromStdString(describe(r)));
+    verdict_->setText(mobilityVerdict(r));
 }
 
 void MobilityPanel::showConstraints() {

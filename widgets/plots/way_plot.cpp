@@ -27,6 +27,7 @@ WayPlot::WayPlot(QWidget* parent)
       ground_(new QCPItemStraightLine(plot_)),
       cursor_(new QCPItemStraightLine(plot_)) {
     setMinimumHeight(82);
+    plot_->setLocale(QLocale::c());  // a decimal point, as everywhere
     plot_->setFocusPolicy(Qt::NoFocus);
     plot_->setAccessibleName(tr("Required friction over the way"));
     plot_->axisRect()->setMinimumMargins(QMargins(44, 5, 10, 18));

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "render/palette.h"
+#include "widgets/plots/channel_titles.h"
 
 namespace widgets {
 namespace {
@@ -55,9 +56,8 @@ void addQuantities(const std::vector<simcore::run::Channel>& channels,
         if (known) {
             continue;
         }
-        ShownQuantity shown{name, QString::fromStdString(channel.label),
-                            QString::fromStdString(channel.unit), 1.0,
-                            group == simcore::run::ChannelGroup::Chassis};
+        ShownQuantity shown{name, channelTitle(channel.label), QString::fromStdString(channel.unit),
+                            1.0, group == simcore::run::ChannelGroup::Chassis};
         if (shown.unit == "rad") {
             shown.unit = "deg";
             shown.factor = 180.0 / std::numbers::pi;
@@ -82,6 +82,7 @@ WheelPlot::WheelPlot(QWidget* parent)
       reference_(new QCPItemStraightLine(plot_)),
       hint_(new QCPItemText(plot_)) {
     plot_->setMinimumSize(200, 110);
+    plot_->setLocale(QLocale::c());  // a decimal point, as everywhere
     plot_->setMouseTracking(true);
     plot_->setNoAntialiasingOnDrag(true);
     plot_->setPlottingHint(QCP::phFastPolylines);

@@ -112,6 +112,7 @@ class MainWindow : public QMainWindow {
     /// "addBody" and so on, one for every kind of part.
     QMenu* makeAddMenu();
     void makeViewActions();
+    void makeLanguageActions();
     void makeRunActions();
     void makeDocks();
     QWidget* makeLeftPanel();
@@ -182,6 +183,7 @@ class MainWindow : public QMainWindow {
     QMenu* overlayMenu_ = nullptr;
     QMenu* panelMenu_ = nullptr;
     QMenu* addMenu_ = nullptr;
+    QMenu* languageMenu_ = nullptr;
     QLabel* mobilityStatus_ = nullptr;
     QLabel* massStatus_ = nullptr;
     QToolButton* problemStatus_ = nullptr;

@@ -10,6 +10,7 @@
 #include <QSettings>
 
 #include "simcore/io/project_file.h"
+#include "widgets/editors/field_info.h"
 #include "widgets/editors/parts_panel.h"
 #include "widgets/editors/parts_tree.h"
 #include "widgets/panels/advisor_page.h"
@@ -21,6 +22,7 @@
 #include "widgets/window/action_registry.h"
 #include "widgets/window/file_commands.h"
 #include "widgets/window/film.h"
+#include "widgets/window/language.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/recording_commands.h"
 
@@ -135,7 +137,7 @@ void MainWindow::makePartActions() {
                   });
     for (const ElementKind kind : simcore::project::allElementKinds()) {
         const QString title = kindTitle(kind);
-        actions_->add(addActionName(kind), title, {}, tr("Add: %1").arg(title.toLower()),
+        actions_->add(addActionName(kind), title, {}, tr("Add: %1").arg(inSentence(title)),
                       [this, kind] {
                           showPanel("rover");
                           tree_->add(kind);
@@ -228,6 +230,7 @@ void MainWindow::makeViewActions() {
         action->setCheckable(true);
         themes->addAction(action);
     }
+    makeLanguageActions();
     actions_->add("fullScreen", tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, {},
                   [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     for (const auto& [name, text, keys, tip] :
@@ -243,6 +246,26 @@ void MainWindow::makeViewActions() {
     }
     actions_->add("resetLayout", tr("&Reset panels"), {}, tr("All panels back to their places"),
                   [this] { restoreState(firstLayout_, kLayoutVersion); });
+}
+
+void MainWindow::makeLanguageActions() {
+    languageMenu_ = new QMenu(tr("&Language"), this);
+    auto* group = new QActionGroup(this);
+    for (const QString& language : QStringList{QString()} + languages()) {
+        const QString name = language.isEmpty() ? "System" : language.toUpper();
+        QAction* action = actions_->add(
+            "language" + name, language.isEmpty() ? tr("As the &system") : languageName(language),
+            {}, {}, [this, language] {
+                chooseLanguage(language);
+                QMessageBox::information(
+                    this, tr("Language"),
+                    tr("The language changes when RoverStudio is started the next time."));
+            });
+        action->setCheckable(true);
+        action->setChecked(language == chosenLanguage());
+        group->addAction(action);
+        languageMenu_->addAction(action);
+    }
 }
 
 void MainWindow::makeRunActions() {
@@ -348,6 +371,8 @@ void MainWindow::makeMenus() {
     fill(view->addMenu(tr("&Arrangement")),
          {"arrange:design", "arrange:simulate", "arrange:compare", "", "resetLayout"});
     fill(view, {"fullScreen"});
+    view->addMenu(languageMenu_);
+    fill(view, {"resetLayout", "fullScreen"});
     fill(menuBar()->addMenu(tr("&Run")),
          {"playPause", "step", "stepBack", "live", "reset", "runAgain", "", "keepRun", "experiment",
           "", "faster", "slower", "", "showDesign"});
