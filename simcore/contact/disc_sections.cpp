@@ -9,21 +9,16 @@ namespace {
 
 /// Triangles are looked up for so many steps like the last one, unless that takes the wheel further
 /// than this [m]: more triangles are then near than looking them up less often saves.
-constexpr double kSteps = 6.0;
-constexpr double kFurthest = 0.003;
+constexpr double kSteps = 8.0;
+constexpr double kFurthest = 0.004;
 
 }  // namespace
 
 DiscSections::DiscSections(std::vector<double> offsets, double radius)
     : offsets_(std::move(offsets)),
       radius_(radius),
-      reach_(radius + std::max(std::abs(offsets_.front()), std::abs(offsets_.back()))),
-      near_(offsets_.size()) {
-    // More than any usual ground asks for, so that a drive takes nothing more from the heap.
-    constexpr std::size_t kRoom = 256;
-    for (std::vector<int>& triangles : near_) {
-        triangles.reserve(kRoom);
-    }
+      reach_(radius + std::max(std::abs(offsets_.front()), std::abs(offsets_.back()))) {
+    near_.reset(offsets_.size());
 }
 
 /// Bound of the way of any of the discs' points [m].
@@ -31,19 +26,22 @@ double DiscSections::wayBetween(const Place& a, const Place& b) const {
     return (b.middle - a.middle).norm() + reach_ * (b.axis - a.axis).norm();
 }
 
-void DiscSections::cut(const terrain::Terrain& terrain, const terrain::SlicePlane& middle,
-                       std::span<std::vector<terrain::SliceSegment>> out) {
+void DiscSections::move(const terrain::Terrain& terrain, const terrain::SlicePlane& middle) {
     const Place place{middle.origin, middle.v.cross(middle.u)};
-    if (slack_ < 0.0 || wayBetween(lookedUpAt_, place) > slack_) {
+    way_ = wayBetween(lookedUpAt_, place);
+    if (slack_ < 0.0 || way_ > slack_) {
         const double ahead = last_ ? kSteps * wayBetween(*last_, place) : 0.0;
         slack_ = ahead < kFurthest ? ahead : 0.0;
         lookedUpAt_ = place;
+        way_ = 0.0;
         terrain.findNear(middle, offsets_, radius_, slack_, near_);
     }
     last_ = place;
-    for (std::size_t disc = 0; disc < offsets_.size(); ++disc) {
-        terrain.slice(middle, offsets_[disc], radius_, near_[disc], out[disc]);
-    }
+    near_.see(middle);
+}
+
+void DiscSections::cut(std::size_t disc, std::vector<terrain::SliceSegment>& out) const {
+    near_.slice(disc, offsets_[disc], radius_, way_, out);
 }
 
 }  // namespace simcore::contact

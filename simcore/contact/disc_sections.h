@@ -16,11 +16,11 @@ class DiscSections {
     /// @param radius   that sections come within [m]
     DiscSections(std::vector<double> offsets, double radius);
 
-    /// At a place of the wheel.
+    /// Moves the wheel to a place.
     /// @param middle  plane of its middle, with v x u along its axis
-    /// @param out     for each disc
-    void cut(const terrain::Terrain& terrain, const terrain::SlicePlane& middle,
-             std::span<std::vector<terrain::SliceSegment>> out);
+    void move(const terrain::Terrain& terrain, const terrain::SlicePlane& middle);
+    /// Section with a disc, there.
+    void cut(std::size_t disc, std::vector<terrain::SliceSegment>& out) const;
 
     const std::vector<double>& offsets() const { return offsets_; }
 
@@ -36,10 +36,11 @@ class DiscSections {
     std::vector<double> offsets_;
     double radius_;
     double reach_;  ///< of the discs from the wheel's middle [m]
-    std::vector<std::vector<int>> near_;
+    terrain::GroundPatch near_;
     std::optional<Place> last_;
     Place lookedUpAt_{Vec3::Zero(), Vec3::Zero()};
     double slack_ = -1.0;  ///< that they were looked up with [m]; < 0: not yet
+    double way_ = 0.0;     ///< bound of that from there [m]
 };
 
 }  // namespace simcore::contact

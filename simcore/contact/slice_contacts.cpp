@@ -71,16 +71,14 @@ const std::vector<SliceContact>& SliceContactFinder::find(std::vector<SliceSegme
     behind_.reset();
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const SliceSegment& segment = segments[i];
-        const Eigen::Vector2d along = segment.b - segment.a;
-        const double share = -segment.a.dot(along) / along.squaredNorm();
-        if (share > 0.0 && share < 1.0) {
-            addFace(segment, share);
+        if (segment.nearest > 0.0 && segment.nearest < 1.0) {
+            addFace(segment);
             continue;
         }
-        const bool atStart = share <= 0.0;
+        const bool atStart = segment.nearest <= 0.0;
         const Eigen::Vector2d& corner = atStart ? segment.a : segment.b;
         // Only from the free side, which is to the left.
-        if (corner.norm() < radius + margin && cross(along, -corner) > 0.0) {
+        if (corner.norm() < radius + margin && cross(segment.b - segment.a, -corner) > 0.0) {
             addCorner(i, atStart);
         }
     }
@@ -94,9 +92,9 @@ const std::vector<SliceContact>& SliceContactFinder::find(std::vector<SliceSegme
     return contacts_;
 }
 
-void SliceContactFinder::addFace(const SliceSegment& segment, double share) {
+void SliceContactFinder::addFace(const SliceSegment& segment) {
     const Eigen::Vector2d along = segment.b - segment.a;
-    const Eigen::Vector2d foot = segment.a + share * along;
+    const Eigen::Vector2d foot = segment.a + segment.nearest * along;
     // Height of the centre over the face, negative when it is inside the ground.
     const double height = cross(along, -foot) / along.norm();
     const double depth = (radius_ - height) * inPlane(segment.normal, *plane_).norm();

@@ -34,7 +34,7 @@ class SliceContactFinder {
     const std::optional<SliceContact>& behind() const { return behind_; }
 
   private:
-    void addFace(const terrain::SliceSegment& segment, double share);
+    void addFace(const terrain::SliceSegment& segment);
     void addCorner(std::size_t index, bool atStart);
     void add(const SliceContact& contact);
     void thinOut();

@@ -44,13 +44,10 @@ WheelContactFinder::WheelContactFinder(const mechanism::Mechanism& mechanism,
       margin_(margin) {
     for (const mechanism::Wheel& wheel : mechanism.wheels) {
         discs_.push_back(discsOf(wheel));
-        segments_.resize(std::max(segments_.size(), discs_.back().offsets().size()));
     }
     // More than any usual ground asks for, so that a drive takes nothing more from the heap.
     constexpr std::size_t kRoom = 256;
-    for (std::vector<terrain::SliceSegment>& segments : segments_) {
-        segments.reserve(kRoom);
-    }
+    segments_.reserve(kRoom);
     for (std::vector<Contact>* contacts : {&contacts_, &kept_}) {
         contacts->reserve(kRoom);
     }
@@ -77,10 +74,28 @@ WheelContactFinder::Discs WheelContactFinder::discsOf(const mechanism::Wheel& wh
             static_cast<std::size_t>(inner) + 1};
 }
 
-/// @param plane  the disc's
-const std::vector<SliceContact>& WheelContactFinder::touch(std::size_t wheel, std::size_t disc,
+/// Of the section there is.
+/// @param plane  its disc's
+const std::vector<SliceContact>& WheelContactFinder::touch(std::size_t wheel,
                                                            const SlicePlane& plane) {
-    return slice_.find(segments_[disc], plane, mechanism_.wheels[wheel].radius, margin_);
+    return slice_.find(segments_, plane, mechanism_.wheels[wheel].radius, margin_);
+}
+
+/// Whether nothing in a disc's section can be as deep as a contact and unlike it: most inner discs
+/// are left at that.
+bool WheelContactFinder::isOutdone(std::size_t wheel, const SlicePlane& plane,
+                                   const Contact& by) const {
+    const double depth = by.depth + kBulge;
+    const double beyond = mechanism_.wheels[wheel].radius - depth;
+    const Eigen::Vector2d down(-by.normal.dot(plane.u), -by.normal.dot(plane.v));
+    return depth > 0.0 &&
+           std::all_of(segments_.begin(), segments_.end(), [&](const terrain::SliceSegment& s) {
+               const Eigen::Vector2d nearest = s.a + std::clamp(s.nearest, 0.0, 1.0) * (s.b - s.a);
+               const double distance = nearest.norm();
+               // At the ground's border a contact points from there to the disc's centre.
+               return distance > beyond && s.normal.dot(by.normal) > kLikeNormal &&
+                      nearest.dot(down) > kLikeNormal * distance;
+           });
 }
 
 void WheelContactFinder::add(int wheel, int slice, const SlicePlane& plane, const Vec3& axis,
@@ -97,7 +112,8 @@ void WheelContactFinder::findOuter(std::size_t wheel, const SlicePlane& middle, 
     for (int slice = 0; slice < slices_; ++slice) {
         const std::size_t disc = static_cast<std::size_t>(slice) * discs.perGap;
         const SlicePlane plane{middle.origin + discs.offsets()[disc] * axis, middle.u, middle.v};
-        for (const SliceContact& contact : touch(wheel, disc, plane)) {
+        discs.sections.cut(disc, segments_);
+        for (const SliceContact& contact : touch(wheel, plane)) {
             add(static_cast<int>(wheel), slice, plane, axis, contact);
         }
         if (slice_.behind()) {
@@ -117,13 +133,23 @@ void WheelContactFinder::findInner(std::size_t wheel, const SlicePlane& middle, 
                                    std::size_t first) {
     const Discs& discs = discs_[wheel];
     const std::size_t outerEnd = contacts_.size();
-    int slice = slices_;
+    const auto begin = contacts_.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto deepest = static_cast<std::size_t>(
+        std::max_element(begin, contacts_.end(),
+                         [](const Contact& a, const Contact& b) { return a.depth < b.depth; }) -
+        contacts_.begin());
+    int slice = slices_ - 1;
     for (std::size_t disc = 0; disc < discs.offsets().size(); ++disc) {
         if (discs.isOuter(disc)) {
             continue;
         }
+        ++slice;
         const SlicePlane plane{middle.origin + discs.offsets()[disc] * axis, middle.u, middle.v};
-        for (const SliceContact& contact : touch(wheel, disc, plane)) {
+        discs.sections.cut(disc, segments_);
+        if (outerEnd > first && isOutdone(wheel, plane, contacts_[deepest])) {
+            continue;
+        }
+        for (const SliceContact& contact : touch(wheel, plane)) {
             const bool bulge = std::none_of(
                 contacts_.begin() + static_cast<std::ptrdiff_t>(first),
                 contacts_.begin() + static_cast<std::ptrdiff_t>(outerEnd), [&](const Contact& c) {
@@ -134,7 +160,6 @@ void WheelContactFinder::findInner(std::size_t wheel, const SlicePlane& middle, 
                 add(static_cast<int>(wheel), slice, plane, axis, contact);
             }
         }
-        ++slice;
     }
 }
 
@@ -201,7 +226,7 @@ const std::vector<Contact>& WheelContactFinder::find(const std::vector<Pose>& bo
         const Pose& pose = bodies[static_cast<std::size_t>(wheel.body)];
         const Vec3 axis = pose.rotation * wheel.axis;
         const SlicePlane middle = planeOf(pose * wheel.center, axis);
-        discs_[i].sections.cut(terrain_, middle, segments_);
+        discs_[i].sections.move(terrain_, middle);
         const std::size_t first = contacts_.size();
         findOuter(i, middle, axis);
         findInner(i, middle, axis, first);

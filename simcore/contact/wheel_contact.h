@@ -70,8 +70,8 @@ class WheelContactFinder {
     };
 
     Discs discsOf(const mechanism::Wheel& wheel) const;
-    const std::vector<SliceContact>& touch(std::size_t wheel, std::size_t disc,
-                                           const terrain::SlicePlane& plane);
+    const std::vector<SliceContact>& touch(std::size_t wheel, const terrain::SlicePlane& plane);
+    bool isOutdone(std::size_t wheel, const terrain::SlicePlane& plane, const Contact& by) const;
     void add(int wheel, int slice, const terrain::SlicePlane& plane, const Vec3& axis,
              const SliceContact& contact);
     void findOuter(std::size_t wheel, const terrain::SlicePlane& middle, const Vec3& axis);
@@ -89,7 +89,7 @@ class WheelContactFinder {
     SliceContactFinder slice_;
     SideContactFinder side_;
     std::vector<Buried> buried_;
-    std::vector<std::vector<terrain::SliceSegment>> segments_;  ///< of a wheel's discs
+    std::vector<terrain::SliceSegment> segments_;  ///< of a disc
     std::vector<Contact> contacts_;
     std::vector<Contact> kept_;
 };

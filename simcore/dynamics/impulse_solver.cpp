@@ -40,6 +40,34 @@ double along(const ScalarRow& row, const Eigen::VectorXd& u) {
     return velocity;
 }
 
+Vec6 twistOf(const RateMap& body, const Eigen::VectorXd& u) {
+    Vec6 twist = Vec6::Zero();
+    if (body.root) {
+        for (std::size_t i = 0; i < 6; ++i) {
+            twist[static_cast<Eigen::Index>(i)] = u[(*body.root)[i]];
+        }
+    }
+    for (std::size_t k = 0; k < body.indices.size(); ++k) {
+        twist += u[body.indices[k]] * body.twists[k];
+    }
+    return twist;
+}
+
+/// Calls visit(c, v) with the velocity of every contact.
+template <class Visit>
+void visitVelocities(const ImpulseProblem& problem, const Eigen::VectorXd& u, Visit&& visit) {
+    Vec6 twist = Vec6::Zero();
+    int body = -1;
+    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+        const ContactRow& contact = problem.contacts[c];
+        if (contact.body != body) {
+            body = contact.body;
+            twist = twistOf(problem.bodies[static_cast<std::size_t>(body)], u);
+        }
+        visit(c, Vec3(contact.wrenches.transpose() * twist));
+    }
+}
+
 /// into[i] += factor * from[i].
 void addScaled(double factor, const double* from, std::size_t count, double* into) {
     ROVER_INDEPENDENT_ITERATIONS
@@ -199,105 +227,57 @@ void PatternedLu::substituteBack(const RowMajor& factored, Eigen::VectorXd& x) c
     }
 }
 
-void ImpulseSolver::makeLevers(const ImpulseProblem& problem) {
-    levers_.resize(problem.contacts.size());
-    std::size_t size = 0;
-    std::size_t longest = 0;
-    for (std::size_t c = 0; c < levers_.size(); ++c) {
-        const auto body = static_cast<std::size_t>(problem.contacts[c].body);
-        Lever& lever = levers_[c];
-        lever.body = &problem.bodies[body];
-        lever.first = size;
-        lever.stride = lever.body->indices.size() + lever.body->indices.size() % 2;
-        size += 3 * lever.stride;
-        longest = std::max(longest, lever.stride);
-    }
-    factors_.assign(size, 0.0);
-    blocks_.resize(longest * longest);
-    stiffened_.resize(3 * longest);
-    for (std::size_t c = 0; c < levers_.size(); ++c) {
-        const Lever& lever = levers_[c];
-        double* rows = factors_.data() + lever.first;
-        for (std::size_t i = 0; i < lever.body->indices.size(); ++i) {
-            const Vec3 velocity = problem.contacts[c].wrenches.transpose() * lever.body->twists[i];
-            for (std::size_t k = 0; k < 3; ++k) {
-                rows[k * lever.stride + i] = velocity[static_cast<Eigen::Index>(k)];
-            }
-        }
-    }
-}
-
-Vec3 ImpulseSolver::velocityOf(const Lever& lever, const Eigen::VectorXd& u) const {
-    const double* const normal = factors_.data() + lever.first;
-    const double* const forward = normal + lever.stride;
-    const double* const side = forward + lever.stride;
-    const double* const rates = u.data();
-    const int* const indices = lever.body->indices.data();
-    const std::size_t count = lever.body->indices.size();
-    double v0 = 0.0;
-    double v1 = 0.0;
-    double v2 = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double rate = rates[indices[i]];
-        v0 += rate * normal[i];
-        v1 += rate * forward[i];
-        v2 += rate * side[i];
-    }
-    return {v0, v1, v2};
-}
-
 /// Adds what the contacts' laws say to the matrix and its right side, body by body.
 void ImpulseSolver::addContacts(const ImpulseProblem& problem) {
-    const Eigen::Index last = problem.momentum.size();
-    for (std::size_t c = 0; c < levers_.size();) {
-        const Lever& own = levers_[c];
-        const std::vector<int>& indices = own.body->indices;
-        const std::size_t stride = own.stride;
+    const std::vector<ContactRow>& contacts = problem.contacts;
+    for (std::size_t c = 0; c < contacts.size();) {
+        const int body = contacts[c].body;
         bool pushes = false;
+        Mat6 stiffness = Mat6::Zero();
+        Vec6 push = Vec6::Zero();
         // Contacts of a body follow each other.
-        for (; c < levers_.size() && levers_[c].body == own.body; ++c) {
+        for (; c < contacts.size() && contacts[c].body == body; ++c) {
             const ContactLaw& law = laws_[c];
-            if (!law.touches) {
-                continue;
-            }
-            if (!pushes) {
-                std::fill_n(blocks_.begin(), stride * stride, 0.0);
+            if (law.touches) {
+                const auto& wrenches = contacts[c].wrenches;
+                const Eigen::Matrix<double, 6, 3> stiffened = wrenches * law.stiffness;
+                stiffness.noalias() += stiffened * wrenches.transpose();
+                push.noalias() += wrenches * law.push;
                 pushes = true;
             }
-            const double* lever = factors_.data() + levers_[c].first;
-            std::fill_n(stiffened_.begin(), 3 * stride, 0.0);
-            for (std::size_t k = 0; k < 3; ++k) {
-                for (std::size_t m = 0; m < 3; ++m) {
-                    const double element =
-                        law.stiffness(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(m));
-                    if (element != 0.0) {
-                        addScaled(element, lever + m * stride, stride,
-                                  stiffened_.data() + k * stride);
-                    }
-                }
-            }
-            for (std::size_t i = 0; i < indices.size(); ++i) {
-                double* row = blocks_.data() + i * stride;
-                const double a = lever[i];
-                const double b = lever[stride + i];
-                const double d = lever[2 * stride + i];
-                const double* first = stiffened_.data();
-                const double* second = first + stride;
-                const double* third = second + stride;
-                ROVER_INDEPENDENT_ITERATIONS
-                for (std::size_t j = 0; j < stride; ++j) {
-                    row[j] += a * first[j] + b * second[j] + d * third[j];
-                }
-                matrix_(indices[i], last) += a * law.push[0] + b * law.push[1] + d * law.push[2];
-            }
         }
-        for (std::size_t i = 0; pushes && i < indices.size(); ++i) {
-            double* row = matrix_.row(indices[i]).data();
-            const double* block = blocks_.data() + i * stride;
-            for (std::size_t j = 0; j < indices.size(); ++j) {
-                row[indices[j]] += block[j];
-            }
+        if (pushes) {
+            addBody(problem.bodies[static_cast<std::size_t>(body)], stiffness, push);
         }
+    }
+}
+
+/// Adds p = push - stiffness * twist of a body.
+void ImpulseSolver::addBody(const RateMap& body, const Mat6& stiffness, const Vec6& push) {
+    const Eigen::Index last = matrix_.cols() - 1;
+    if (body.root) {
+        for (Eigen::Index i = 0; i < 6; ++i) {
+            double* const row = matrix_.row((*body.root)[static_cast<std::size_t>(i)]).data();
+            for (Eigen::Index j = 0; j < 6; ++j) {
+                row[(*body.root)[static_cast<std::size_t>(j)]] += stiffness(i, j);
+            }
+            row[last] += push[i];
+        }
+    }
+    for (std::size_t k = 0; k < body.indices.size(); ++k) {
+        const Vec6& twist = body.twists[k];
+        const Vec6 resisting = stiffness * twist;
+        const Vec6 resisted = stiffness.transpose() * twist;
+        const int index = body.indices[k];
+        double* const row = matrix_.row(index).data();
+        for (std::size_t i = 0; body.root && i < 6; ++i) {
+            row[(*body.root)[i]] += resisted[static_cast<Eigen::Index>(i)];
+            matrix_((*body.root)[i], index) += resisting[static_cast<Eigen::Index>(i)];
+        }
+        for (std::size_t m = 0; m < body.indices.size(); ++m) {
+            row[body.indices[m]] += resisted.dot(body.twists[m]);
+        }
+        row[last] += twist.dot(push);
     }
 }
 
@@ -358,9 +338,9 @@ double ImpulseSolver::bestShare(const ImpulseProblem& problem, Way way) const {
 bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Way way,
                            Eigen::VectorXd& u, ImpulseCounters& counters) {
     const Eigen::Index n = problem.momentum.size();
-    for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-        problem.contacts[c].velocity = velocityOf(levers_[c], u);
-    }
+    visitVelocities(problem, u, [&problem](std::size_t c, const Vec3& velocity) {
+        problem.contacts[c].velocity = velocity;
+    });
     matrix_.resize(n, n + 1);
     laws_.resize(problem.contacts.size());
     asked_.resize(problem.contacts.size());
@@ -377,13 +357,13 @@ bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Way w
         lu.factor(matrix_);
         lu.solveCarried(matrix_, u);
         double residual = 0.0;
-        for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+        visitVelocities(problem, u, [&](std::size_t c, const Vec3& velocity) {
             Asked& asked = asked_[c];
-            asked.velocity = velocityOf(levers_[c], u);
-            asked.impulse = laws_[c].push - laws_[c].stiffness * asked.velocity;
+            asked.velocity = velocity;
+            asked.impulse = laws_[c].push - laws_[c].stiffness * velocity;
             residual = std::max(
                 residual, residualOf(problem.contacts[c], asked.impulse, asked.velocity, problem));
-        }
+        });
         const bool solved = !(residual > problem.tolerance);
         // The guess does not move as its impulses say: the first step is a whole one.
         const bool whole = solved || iteration == 0;
@@ -403,10 +383,6 @@ bool ImpulseSolver::newton(ImpulseProblem& problem, const PatternedLu& lu, Way w
 void ImpulseSolver::reserve(std::size_t contacts, std::size_t rows, std::size_t rates) {
     laws_.reserve(contacts);
     asked_.reserve(contacts);
-    levers_.reserve(contacts);
-    factors_.reserve(3 * contacts * rates);
-    blocks_.reserve((rates + 1) * (rates + 1));
-    stiffened_.reserve(3 * (rates + 1));
     limits_.reserve(rows);
     firstImpulses_.reserve(contacts);
     // Of gradients(): the largest problems seen have a quarter of this many contacts.
@@ -460,7 +436,6 @@ void ImpulseSolver::solve(ImpulseProblem& problem, const PatternedLu& lu, Eigen:
     for (std::size_t k = 0; k < problem.rows.size(); ++k) {
         limits_[k] = problem.rows[k].start;
     }
-    makeLevers(problem);
     firstU_ = u;
     firstImpulses_.clear();
     for (const ContactRow& contact : problem.contacts) {
@@ -548,12 +523,16 @@ void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
     Vector unpushed(take(n), n);  // the rates without any impulse
 
     for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
-        const Lever& lever = levers_[c];
-        for (std::size_t i = 0; i < lever.body->indices.size(); ++i) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                jacobian(static_cast<Eigen::Index>(3 * c + k), lever.body->indices[i]) =
-                    factors_[lever.first + k * lever.stride + i];
-            }
+        const ContactRow& contact = problem.contacts[c];
+        const RateMap& body = problem.bodies[static_cast<std::size_t>(contact.body)];
+        const auto first = static_cast<Eigen::Index>(3 * c);
+        for (std::size_t i = 0; body.root && i < 6; ++i) {
+            jacobian.col((*body.root)[i]).segment<3>(first) =
+                contact.wrenches.row(static_cast<Eigen::Index>(i));
+        }
+        for (std::size_t i = 0; i < body.indices.size(); ++i) {
+            jacobian.col(body.indices[i]).segment<3>(first) +=
+                contact.wrenches.transpose() * body.twists[i];
         }
     }
     for (std::size_t k = 0; k < problem.rows.size(); ++k) {
@@ -591,11 +570,11 @@ void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
     const auto handOver = [&] {
         u = unpushed;
         u.noalias() += answers.transpose() * p;
-        for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+        visitVelocities(problem, u, [&](std::size_t c, const Vec3& velocity) {
             ContactRow& contact = problem.contacts[c];
             contact.impulse = p.segment<3>(static_cast<Eigen::Index>(3 * c));
-            contact.velocity = velocityOf(levers_[c], u);
-        }
+            contact.velocity = velocity;
+        });
         for (std::size_t k = 0; k < problem.rows.size(); ++k) {
             problem.rows[k].impulse = p[contactRows + static_cast<Eigen::Index>(k)];
         }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,12 +25,14 @@
 /// that is Coulomb's cone with a little compliance, which makes the forces unique where wheels
 /// share a load. Solved by semi-smooth Newton in u (A. Kurdila; P. Alart and A. Curnier, Comput.
 /// Methods Appl. Mech. Eng. 92, 1991), which starts from the last step's impulses and needs one or
-/// two iterations, each as long as brings it nearest to the laws. Where it cycles all the same,
-/// nonsmooth nonlinear conjugate gradients (M. Silcowitz, S. Niebe and K. Erleben, Visual Computer
-/// 26, 2010) converge, slowly; every now and then Newton's method is tried again from where they
-/// are.
+/// two iterations, each as long as brings it nearest to the laws. What a body's contacts push is
+/// added up in its twist first, six by six: the rates of a floating root are that twist, and the
+/// others of a wheel are few. Where it cycles all the same, nonsmooth nonlinear conjugate gradients
+/// (M. Silcowitz, S. Niebe and K. Erleben, Visual Computer 26, 2010) converge, slowly; every now
+/// and then Newton's method is tried again from where they are.
 namespace simcore::dynamics {
 
+using Mat6 = Eigen::Matrix<double, 6, 6>;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// LU elimination without pivoting of a matrix whose pattern of zeros is known.
@@ -63,11 +67,12 @@ class PatternedLu {
     std::vector<std::vector<Run>> runs_;   ///< the same as runs of columns, with small gaps
 };
 
-/// How the velocity of something follows from a few of the independent rates.
+/// How a body's twist follows from independent rates.
 struct RateMap {
-    std::vector<int> indices;
-    /// Per index, twist of the body.
-    std::vector<Vec6> twists;
+    /// Those that are the twist of the floating root it hangs from.
+    std::optional<std::array<int, 6>> root;
+    std::vector<int> indices;  ///< of the others
+    std::vector<Vec6> twists;  ///< per index
 };
 
 struct ContactRow {
@@ -146,23 +151,14 @@ class ImpulseSolver {
                    ImpulseCounters& counters);
     void sweep(ImpulseProblem& problem, double* impulses) const;
 
-    /// A contact's three velocities by the independent rates that its body has: rows of `stride`
-    /// numbers, the last ones of them zero.
-    struct Lever {
-        const RateMap* body = nullptr;
-        std::size_t first = 0;  ///< of factors_
-        std::size_t stride = 0;
-    };
-
     /// What a linear solution asks of a contact.
     struct Asked {
         Vec3 impulse;   ///< [N s]
         Vec3 velocity;  ///< [m/s]
     };
 
-    void makeLevers(const ImpulseProblem& problem);
-    Vec3 velocityOf(const Lever& lever, const Eigen::VectorXd& u) const;
     void addContacts(const ImpulseProblem& problem);
+    void addBody(const RateMap& body, const Mat6& stiffness, const Vec6& push);
     void addRows(const ImpulseProblem& problem);
     Vec3 impulseAt(std::size_t index, const ContactRow& contact, Way way, double share) const;
     double merit(const ImpulseProblem& problem, Way way, double share) const;
@@ -170,13 +166,9 @@ class ImpulseSolver {
 
     RowMajor matrix_;  ///< with the right side as its last column
     Eigen::VectorXd right_;
-    std::vector<Lever> levers_;  ///< of every contact
-    std::vector<double> factors_;
-    std::vector<double> blocks_;     ///< what one body's contacts add to the matrix
-    std::vector<double> stiffened_;  ///< C times a lever
-    std::vector<ContactLaw> laws_;   ///< of every contact
-    std::vector<Asked> asked_;       ///< of every contact
-    std::vector<int> limits_;        ///< per scalar row: -1, 0, 1 where it is held at a limit
+    std::vector<ContactLaw> laws_;  ///< of every contact
+    std::vector<Asked> asked_;      ///< of every contact
+    std::vector<int> limits_;       ///< per scalar row: -1, 0, 1 where it is held at a limit
     // What solving starts from.
     Eigen::VectorXd firstU_;
     std::vector<Vec3> firstImpulses_;

@@ -557,7 +557,34 @@ void LoopClosures::number() {
             spans_[static_cast<std::size_t>(rate)].end = next;
         }
     }
+    findRoots();
     ++choice_;
+}
+
+void LoopClosures::findRoots() {
+    roots_.clear();
+    rootOf_.assign(tree_.bodies().size(), -1);
+    for (std::size_t k = 0; k < rootOf_.size(); ++k) {
+        const TreeBody& at = tree_.bodies()[k];
+        if (at.parent >= 0) {
+            rootOf_[k] = rootOf_[static_cast<std::size_t>(at.parent)];
+            continue;
+        }
+        // Three slides along the world's axes, then a ball at its centre of mass, which is O.
+        FloatingRoot root{{}, at.lastRate};
+        bool free = at.joint < 0;
+        for (int i = 0; free && i < 6; ++i) {
+            const int rate = at.lastRate - 5 + i;
+            const auto own = std::find(rates_.begin(), rates_.end(), rate);
+            free = own != rates_.end();
+            root.indices[static_cast<std::size_t>((i + 3) % 6)] =
+                static_cast<int>(own - rates_.begin());
+        }
+        if (free) {
+            rootOf_[k] = static_cast<int>(roots_.size());
+            roots_.push_back(root);
+        }
+    }
 }
 
 void LoopClosures::renewTerms() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <span>
 #include <string>
@@ -9,6 +10,13 @@
 
 /// What the joints left over by a spanning tree, and the gears, demand of its rates.
 namespace simcore::dynamics {
+
+/// A body that floats in the world and that no loop holds: its twist about O is six independent
+/// rates.
+struct FloatingRoot {
+    std::array<int, 6> indices{};  ///< of the independent rates, in the order of a twist
+    int lastRate = -1;             ///< of the tree; those of what hangs from it are later
+};
 
 /// A rate of the tree as a sum of independent ones.
 struct RateTerm {
@@ -66,6 +74,16 @@ class LoopClosures {
         const Span& at = spans_[static_cast<std::size_t>(rate)];
         return {terms_.data() + at.first, terms_.data() + at.end};
     }
+
+    /// The floating root that one of the tree's bodies is or hangs from; null where there is none
+    /// or loops hold it.
+    const FloatingRoot* rootOf(std::size_t body) const {
+        const int root = rootOf_[body];
+        return root < 0 ? nullptr : &roots_[static_cast<std::size_t>(root)];
+    }
+
+    /// All of them.
+    const std::vector<FloatingRoot>& roots() const { return roots_; }
 
     /// The terms of all rates, one after the other, and where those of one begin.
     const std::vector<RateTerm>& allTerms() const { return terms_; }
@@ -173,6 +191,7 @@ class LoopClosures {
     void apply(const Cluster& cluster, const Eigen::VectorXd& rows, const TreeMotion& motion,
                std::vector<Vec6>& wrenches, std::vector<Vec6>& joints) const;
     void number();
+    void findRoots();
     void renewTerms();
 
     const mechanism::Mechanism& mechanism_;
@@ -182,6 +201,8 @@ class LoopClosures {
     std::vector<int> rates_;
     std::vector<Span> spans_;
     std::vector<RateTerm> terms_;
+    std::vector<FloatingRoot> roots_;
+    std::vector<int> rootOf_;  ///< of each of the tree's bodies; -1 = none
     std::vector<double> change_;
     int choice_ = 0;
     double gap_ = 0.0;

@@ -205,9 +205,14 @@ void ReducedEngine::makePattern() {
         lu_.couple(indicesOf(wayOf(at)));
     }
     problem_.bodies.clear();
-    for (const TreeBody& at : tree_.bodies()) {
+    for (std::size_t k = 0; k < tree_.bodies().size(); ++k) {
         RateMap map;
-        map.indices = indicesOf(wayOf(at));
+        std::vector<SignedRate> way = wayOf(tree_.bodies()[k]);
+        if (const FloatingRoot* root = loops_.rootOf(k)) {
+            map.root = root->indices;
+            std::erase_if(way, [&](const SignedRate& at) { return at.rate <= root->lastRate; });
+        }
+        map.indices = indicesOf(way);
         std::sort(map.indices.begin(), map.indices.end());
         map.indices.erase(std::unique(map.indices.begin(), map.indices.end()), map.indices.end());
         map.twists.resize(map.indices.size());
@@ -231,8 +236,10 @@ void ReducedEngine::mapBody(int position) {
         map.twists[i].setZero();
         places_[static_cast<std::size_t>(map.indices[i])] = i;
     }
+    const FloatingRoot* const root = loops_.rootOf(static_cast<std::size_t>(position));
+    const int rootRate = root != nullptr ? root->lastRate : -1;
     int rate = tree_.bodies()[static_cast<std::size_t>(position)].lastRate;
-    for (; rate >= 0; rate = tree_.rateBefore(rate)) {
+    for (; rate > rootRate; rate = tree_.rateBefore(rate)) {
         for (const RateTerm& term : loops_.terms(rate)) {
             map.twists[places_[static_cast<std::size_t>(term.index)]] +=
                 term.factor * motion_.screws()[static_cast<std::size_t>(rate)];

@@ -26,6 +26,7 @@ class ReducedInertia {
     void project(std::span<const double> forces, double scale, Eigen::VectorXd& projected) const;
 
   private:
+    const SpanningTree& tree_;
     TreeMotion& motion_;
     const LoopClosures& loops_;
     const std::vector<double> resting_;  ///< no rates

@@ -181,6 +181,7 @@ TreeMotion::TreeMotion(const mechanism::Mechanism& mechanism, const SpanningTree
     : mechanism_(mechanism),
       tree_(tree),
       poses_(mechanism.bodies.size()),
+      turns_(tree.bodies().size(), Mat3::Identity()),
       origins_(tree.bodies().size(), Vec3::Zero()),
       screws_(static_cast<std::size_t>(tree.rateCount()), Vec6::Zero()),
       inertias_(tree.bodies().size()),
@@ -197,40 +198,45 @@ void TreeMotion::place(const TreeState& state) {
     for (std::size_t k = 0; k < tree_.bodies().size(); ++k) {
         const TreeBody& at = tree_.bodies()[k];
         Pose pose;
+        // The pose's rotation: cheaper where many points are turned by it.
+        Mat3 turn = Mat3::Identity();
         if (at.parent >= 0) {
-            pose = poses_[static_cast<std::size_t>(
-                tree_.bodies()[static_cast<std::size_t>(at.parent)].body)];
+            const auto parent = static_cast<std::size_t>(at.parent);
+            pose = poses_[static_cast<std::size_t>(tree_.bodies()[parent].body)];
+            turn = turns_[parent];
         }
         for (const TreeElement& element : at.elements) {
             const auto rate = static_cast<std::size_t>(element.rate);
-            const Vec3 axis = pose.rotation * element.axis;
+            const Vec3 axis = turn * element.axis;
             switch (element.kind) {
                 case TreeElement::Kind::Slide:
                     screws_[rate] = slideAlong(axis);
                     pose.position += state.coordinates[rate] * axis;
                     break;
                 case TreeElement::Kind::Turn: {
-                    const Vec3 point = pose * element.point;
+                    const Vec3 point = turn * element.point + pose.position;
                     screws_[rate] = turnAt(axis, point);
                     pose.rotation = pose.rotation * Eigen::Quaterniond(Eigen::AngleAxisd(
                                                         state.coordinates[rate], element.axis));
-                    pose.position = point - pose.rotation * element.point;
+                    turn = pose.rotation.toRotationMatrix();
+                    pose.position = point - turn * element.point;
                     break;
                 }
                 case TreeElement::Kind::Ball: {
-                    const Vec3 point = pose * element.point;
-                    const Mat3 axes = pose.rotation.toRotationMatrix();
+                    const Vec3 point = turn * element.point + pose.position;
                     for (int k3 = 0; k3 < 3; ++k3) {
-                        screws_[rate + static_cast<std::size_t>(k3)] = turnAt(axes.col(k3), point);
+                        screws_[rate + static_cast<std::size_t>(k3)] = turnAt(turn.col(k3), point);
                     }
                     pose.rotation =
                         pose.rotation * state.balls[static_cast<std::size_t>(element.ball)];
-                    pose.position = point - pose.rotation * element.point;
+                    turn = pose.rotation.toRotationMatrix();
+                    pose.position = point - turn * element.point;
                     break;
                 }
             }
         }
         poses_[static_cast<std::size_t>(at.body)] = pose;
+        turns_[k] = turn;
     }
     for (std::size_t k = 0; k < tree_.bodies().size(); ++k) {
         const TreeBody& at = tree_.bodies()[k];
@@ -238,7 +244,7 @@ void TreeMotion::place(const TreeState& state) {
         if (at.parent >= 0) {
             origins_[k] = origins_[static_cast<std::size_t>(at.parent)];
         } else if (at.joint < 0) {
-            origins_[k] = poses_[body] * mechanism_.bodies[body].com;
+            origins_[k] = turns_[k] * mechanism_.bodies[body].com + poses_[body].position;
         }
         for (const TreeElement& element : at.elements) {
             for (int i = 0; i < element.rateCount(); ++i) {
@@ -253,9 +259,10 @@ void TreeMotion::weigh() {
     for (std::size_t k = 0; k < inertias_.size(); ++k) {
         const auto index = static_cast<std::size_t>(tree_.bodies()[k].body);
         const mechanism::Body& body = mechanism_.bodies[index];
-        const Mat3 R = poses_[index].rotation.toRotationMatrix();
-        inertias_[k] = SpatialInertia::of(body.mass, poses_[index] * body.com - origins_[k],
-                                          R * inertiasAtCom_[k] * R.transpose());
+        const Mat3& R = turns_[k];
+        inertias_[k] =
+            SpatialInertia::of(body.mass, R * body.com + poses_[index].position - origins_[k],
+                               R * inertiasAtCom_[k] * R.transpose());
     }
 }
 

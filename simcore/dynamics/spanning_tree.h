@@ -141,10 +141,10 @@ class TreeMotion {
                          double gravity, const std::vector<Vec6>& wrenches,
                          std::vector<double>& forces, std::vector<Vec6>* transmitted = nullptr);
 
-    /// Calls entry(i, j, H_ij) for every element of the tree's mass matrix with i on the way from
-    /// rate j to the world, i = j included.
-    template <class Entry>
-    void massMatrix(Entry&& entry) {
+    /// Calls visit(body, j, p) for every rate j of each of the tree's bodies, with the momentum p
+    /// about O that a unit of the rate gives the body and all that hangs from it.
+    template <class Visit>
+    void visitMomenta(Visit&& visit) {
         composites_ = inertias_;
         for (std::size_t k = composites_.size(); k-- > 0;) {
             const TreeBody& at = tree_.bodies()[k];
@@ -154,12 +154,20 @@ class TreeMotion {
             const int before =
                 at.parent < 0 ? -1 : tree_.bodies()[static_cast<std::size_t>(at.parent)].lastRate;
             for (int j = at.lastRate; j != before; j = tree_.rateBefore(j)) {
-                const Vec6 momentum = composites_[k] * screws_[static_cast<std::size_t>(j)];
-                for (int i = j; i >= 0; i = tree_.rateBefore(i)) {
-                    entry(i, j, screws_[static_cast<std::size_t>(i)].dot(momentum));
-                }
+                visit(k, j, composites_[k] * screws_[static_cast<std::size_t>(j)]);
             }
         }
+    }
+
+    /// Calls entry(i, j, H_ij) for every element of the tree's mass matrix with i on the way from
+    /// rate j to the world, i = j included.
+    template <class Entry>
+    void massMatrix(Entry&& entry) {
+        visitMomenta([&](std::size_t, int j, const Vec6& momentum) {
+            for (int i = j; i >= 0; i = tree_.rateBefore(i)) {
+                entry(i, j, screws_[static_cast<std::size_t>(i)].dot(momentum));
+            }
+        });
     }
 
   private:
@@ -168,6 +176,7 @@ class TreeMotion {
     std::vector<Mat3> inertiasAtCom_;  ///< rover axes, rotors included
     const Vec3 drawnOrigin_ = Vec3::Zero();
     std::vector<Pose> poses_;
+    std::vector<Mat3> turns_;    ///< rotations of the tree's bodies
     std::vector<Vec3> origins_;  ///< of the tree's bodies
     std::vector<Vec6> screws_;
     std::vector<SpatialInertia> inertias_;

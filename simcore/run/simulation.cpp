@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -53,12 +54,17 @@ struct Simulation::Impl {
     void applyDrives();
     void applySteering();
     void updateSnapshot();
+
+    double chassisPlace() const {
+        return engine->poses()[static_cast<std::size_t>(run.mechanism.chassis)].position.x();
+    }
+
     void measure();
     void measureBodies();
     void measureFrictionWork();
     void reportSlip();
     void checkEnd();
-    std::string blownUpBody() const;
+    std::string blownUpBody(double fastest) const;
     std::string whyStuck() const;
     control::DriveCommand driveCommand() const;
     double endTime() const;
@@ -96,6 +102,7 @@ struct Simulation::Impl {
 
     StateHash hash;  ///< of the states that steps started from
     Snapshot now;
+    bool snapshotIsOld = true;
     StopReason reason = StopReason::Running;
     std::string detail;
     std::vector<WheelReport> wheels;
@@ -176,7 +183,8 @@ void Simulation::Impl::reset() {
         bodies[i].name = run.mechanism.bodies[i].name;
     }
     energy = loopErrorMax = penetrationMax = wallTime = progressX = progressTime = 0.0;
-    updateSnapshot();
+    now.distance = chassisPlace();
+    snapshotIsOld = true;
 }
 
 control::DriveCommand Simulation::Impl::driveCommand() const {
@@ -199,6 +207,7 @@ void Simulation::Impl::control() {
         return;
     }
     ++controlTicks;
+    updateSnapshot();
     sensors.read(*engine, now, now.measured);
     controller->update(now.measured, driveCommand(), commands);
     now.intent = controller->intent();
@@ -263,11 +272,14 @@ void Simulation::Impl::step() {
     findContacts();
     engine->writeState(lastGood);
     engine->step({torques, resistances, contacts, frictions, motors});
-    if (std::string body = blownUpBody(); !body.empty()) {
+    // A body that is thrown because a loop cannot be closed is not the cause.
+    std::string trouble = engine->trouble();
+    const double fastest = trouble.empty() ? kFastest : std::numeric_limits<double>::infinity();
+    if (std::string body = blownUpBody(fastest); !body.empty()) {
         engine->restoreState(lastGood);
         reason = StopReason::NonFinite;
         detail = "body " + body;
-    } else if (std::string trouble = engine->trouble(); !trouble.empty()) {
+    } else if (!trouble.empty()) {
         engine->restoreState(lastGood);
         reason = StopReason::SingularPose;
         detail = std::move(trouble);
@@ -276,7 +288,8 @@ void Simulation::Impl::step() {
         ++now.step;
         now.time = static_cast<double>(now.step) * run.step;
         measure();
-        updateSnapshot();
+        now.distance = chassisPlace();
+        snapshotIsOld = true;
         checkEnd();
     }
     wallTime += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -290,13 +303,14 @@ double Simulation::Impl::brakeTorque(const mechanism::Wheel& wheel) const {
     return sign * axis.dot(engine->jointReactions()[axle].torque);
 }
 
-std::string Simulation::Impl::blownUpBody() const {
+/// Body whose pose or motion is no number, or that is faster than that [m/s]; empty when none is.
+std::string Simulation::Impl::blownUpBody(double fastest) const {
     for (std::size_t i = 0; i < run.mechanism.bodies.size(); ++i) {
         const Pose& pose = engine->poses()[i];
         const dynamics::BodyVelocity& velocity = engine->velocities()[i];
         const bool finite = pose.position.allFinite() && pose.rotation.coeffs().allFinite() &&
                             velocity.linear.allFinite() && velocity.angular.allFinite();
-        if (!finite || velocity.linear.norm() > kFastest) {
+        if (!finite || velocity.linear.norm() > fastest) {
             return run.mechanism.bodies[i].name;
         }
     }
@@ -398,12 +412,16 @@ void Simulation::Impl::measureBodies() {
     }
 }
 
+/// Of what nothing in a step asks for: most steps are looked at by nobody.
 void Simulation::Impl::updateSnapshot() {
+    if (!snapshotIsOld) {
+        return;
+    }
+    snapshotIsOld = false;
     const auto chassis = static_cast<std::size_t>(run.mechanism.chassis);
     now.bodies = engine->poses();
     now.centerOfMass = run.mechanism.centerOfMass(now.bodies);
     const Pose& pose = now.bodies[chassis];
-    now.distance = pose.position.x();
     const dynamics::BodyVelocity& velocity = engine->velocities()[chassis];
     const Vec3 arm = -(pose.rotation * run.mechanism.bodies[chassis].com);
     now.angularRate = pose.rotation.conjugate() * velocity.angular;
@@ -485,6 +503,7 @@ const ResolvedRun& Simulation::settings() const {
 }
 
 const Snapshot& Simulation::snapshot() const {
+    impl_->updateSnapshot();
     return impl_->now;
 }
 

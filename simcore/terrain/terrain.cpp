@@ -79,36 +79,9 @@ float roundedDown(double value) {
 
 /// A vertex of the ground as planes beside each other see it.
 struct SeenVertex {
-    int index = 0;
     double distance = 0.0;                            ///< from the first plane, along v x u [m]
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< along u and v [m]
 };
-
-/// Where the plane at `offset` cuts an edge. From the lower index's side always, so that neighbours
-/// cut their common edge in the very same point.
-Eigen::Vector2d cutEdge(const SeenVertex& a, const SeenVertex& b, double offset) {
-    const SeenVertex& p = a.index < b.index ? a : b;
-    const SeenVertex& q = a.index < b.index ? b : a;
-    const double share = (p.distance - offset) / ((p.distance - offset) - (q.distance - offset));
-    return p.place + share * (q.place - p.place);
-}
-
-/// The piece of a triangle that lies in the plane at `offset`, which has corners on both sides of
-/// it; the free side is to the left of a -> b. On the plane counts as above it: a triangle is cut
-/// or not, never twice on an edge.
-void cut(const std::array<SeenVertex, 3>& seen, double offset, Eigen::Vector2d& a,
-         Eigen::Vector2d& b) {
-    const bool above0 = seen[0].distance >= offset;
-    const bool above1 = seen[1].distance >= offset;
-    const bool above2 = seen[2].distance >= offset;
-    const std::size_t alone = above1 == above2 ? 0 : (above0 == above2 ? 1 : 2);
-    const Eigen::Vector2d after = cutEdge(seen[alone], seen[(alone + 1) % 3], offset);
-    const Eigen::Vector2d before = cutEdge(seen[(alone + 2) % 3], seen[alone], offset);
-    // Round the triangle, its free side in view, the section begins where the way goes down.
-    const bool down = seen[alone].distance >= offset;
-    a = down ? after : before;
-    b = down ? before : after;
-}
 
 /// Whether no piece that a plane cuts from these vertices' hull is within `radius` [m]: the line
 /// across the way to their middle has them all behind it.
@@ -117,6 +90,14 @@ bool areBeyond(const std::array<SeenVertex, 4>& seen, double radius) {
     const double least = std::min(std::min(seen[0].place.dot(sum), seen[1].place.dot(sum)),
                                   std::min(seen[2].place.dot(sum), seen[3].place.dot(sum)));
     return least > 0.0 && least * least > radius * radius * sum.squaredNorm();
+}
+
+/// Bound of the distance from the origin to a triangle, by the line across the way to its middle
+/// that its corners are behind [m].
+double leastDistance(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+    const Eigen::Vector2d sum = a + b + c;
+    const double least = std::min({a.dot(sum), b.dot(sum), c.dot(sum)});
+    return least > 0.0 ? least / sum.norm() : 0.0;
 }
 
 /// Cells that suit a mesh within the box [m].
@@ -574,52 +555,15 @@ void Terrain::visitRuns(const Vec3& center, const Vec3& axis, double halfLength,
 
 void Terrain::slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const {
     constexpr double kNoOffset = 0.0;
-    std::vector<int> triangles;
-    findNear(plane, {&kNoOffset, 1}, radius, 0.0, {&triangles, 1});
-    slice(plane, kNoOffset, radius, triangles, out);
-}
-
-void Terrain::slice(const SlicePlane& plane, double offset, double radius,
-                    std::span<const int> triangles, std::vector<SliceSegment>& out) const {
-    out.clear();
-    const Vec3 w = plane.v.cross(plane.u);
-    const double radius2 = radius * radius;
-    // The vertices' places along u and v, both at a time.
-    const Eigen::Vector2d perX(plane.u.x(), plane.v.x());
-    const Eigen::Vector2d perY(plane.u.y(), plane.v.y());
-    const Eigen::Vector2d perZ(plane.u.z(), plane.v.z());
-    const Vec3* const vertices = mesh_.vertices.data();
-    const auto distanceOf = [&](int vertex) { return w.dot(vertices[vertex] - plane.origin); };
-    const auto seenAt = [&](int vertex, double distance) {
-        const Vec3 arm = vertices[vertex] - plane.origin;
-        return SeenVertex{vertex, distance, arm.x() * perX + arm.y() * perY + arm.z() * perZ};
-    };
-    SliceSegment segment;
-    for (const int index : triangles) {
-        const auto triangle = static_cast<std::size_t>(index);
-        const std::array<int, 3>& corners = mesh_.triangles[triangle];
-        const double first = distanceOf(corners[0]);
-        const double second = distanceOf(corners[1]);
-        const double third = distanceOf(corners[2]);
-        if ((first >= offset) == (second >= offset) && (second >= offset) == (third >= offset)) {
-            continue;
-        }
-        cut({seenAt(corners[0], first), seenAt(corners[1], second), seenAt(corners[2], third)},
-            offset, segment.a, segment.b);
-        const Eigen::Vector2d nearest =
-            segment.a + nearestShare(segment.a, segment.b) * (segment.b - segment.a);
-        if (nearest.squaredNorm() <= radius2) {
-            segment.normal = normals_[triangle];
-            out.push_back(segment);
-        }
-    }
+    GroundPatch patch;
+    findNear(plane, {&kNoOffset, 1}, radius, 0.0, patch);
+    patch.see(plane);
+    patch.slice(0, kNoOffset, radius, 0.0, out);
 }
 
 void Terrain::findNear(const SlicePlane& plane, std::span<const double> offsets, double radius,
-                       double slack, std::span<std::vector<int>> out) const {
-    for (std::vector<int>& triangles : out) {
-        triangles.clear();
-    }
+                       double slack, GroundPatch& out) const {
+    out.reset(offsets.size());
     if (offsets.empty()) {
         return;
     }
@@ -630,14 +574,19 @@ void Terrain::findNear(const SlicePlane& plane, std::span<const double> offsets,
     std::array<SeenVertex, 4> seen;
     const auto see = [&](std::size_t k, int vertex) {
         const Vec3 arm = mesh_.vertices[static_cast<std::size_t>(vertex)] - plane.origin;
-        seen[k] = {vertex, w.dot(arm), {plane.u.dot(arm), plane.v.dot(arm)}};
+        seen[k] = {w.dot(arm), {plane.u.dot(arm), plane.v.dot(arm)}};
     };
     const auto take = [&](int triangle, std::size_t a, std::size_t b, std::size_t c) {
         const auto [low, high] =
             std::minmax({seen[a].distance, seen[b].distance, seen[c].distance});
+        if (low - most > offsets.back() || high + most < offsets.front()) {
+            return;
+        }
+        const double beyond = leastDistance(seen[a].place, seen[b].place, seen[c].place) - radius;
         for (std::size_t k = 0; k < offsets.size(); ++k) {
-            if (low - most <= offsets[k] && offsets[k] <= high + most) {
-                out[k].push_back(triangle);
+            const double reach = std::max({beyond, low - offsets[k], offsets[k] - high});
+            if (reach <= most) {
+                out.add(k, triangle, reach - kSlack);
             }
         }
     };
@@ -659,19 +608,11 @@ void Terrain::findNear(const SlicePlane& plane, std::span<const double> offsets,
             for (std::size_t k = 0; k < 3; ++k) {
                 see(k, corners[k]);
             }
-            seen[3] = seen[2];
-            if (!areBeyond(seen, within)) {
-                take(triangle, 0, 1, 2);
-            }
+            take(triangle, 0, 1, 2);
         }
     };
     visitCells(plane, offsets.front() - most, offsets.back() + most, within, look);
-    // Once each, also those that lie in several cells, and in an order that does not tell from
-    // where they were looked up.
-    for (std::vector<int>& triangles : out) {
-        std::sort(triangles.begin(), triangles.end());
-        triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    }
+    out.take(mesh_, normals_);
 }
 
 template <class Visit>

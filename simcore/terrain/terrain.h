@@ -8,6 +8,7 @@
 
 #include "simcore/base/pose.h"
 #include "simcore/base/result.h"
+#include "simcore/terrain/ground_patch.h"
 
 /// The ground: one triangle mesh that statics, engines and the picture share.
 namespace simcore::terrain {
@@ -15,20 +16,6 @@ namespace simcore::terrain {
 struct TriangleMesh {
     std::vector<Vec3> vertices;                 ///< world [m]
     std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from the free side
-};
-
-/// A piece of the ground cut by a wheel's plane, in that plane's coordinates.
-struct SliceSegment {
-    Eigen::Vector2d a;  ///< start [m]
-    Eigen::Vector2d b;  ///< end [m]; the free side is to the left of a -> b
-    Vec3 normal;        ///< unit, of the triangle, world
-};
-
-/// A plane through a wheel: origin at the wheel slice's centre, u forward, v up, in the world.
-struct SlicePlane {
-    Vec3 origin;
-    Vec3 u;
-    Vec3 v;
 };
 
 /// A triangle of the ground.
@@ -66,19 +53,11 @@ class Terrain {
     /// origin.
     void slice(const SlicePlane& plane, double radius, std::vector<SliceSegment>& out) const;
 
-    /// The same of some triangles alone. No allocation once `out` has grown.
-    /// @param offset     of the plane's origin from the given one's, along v x u [m]
-    /// @param triangles  by index
-    /// @param out        in their order, cleared first
-    void slice(const SlicePlane& plane, double offset, double radius,
-               std::span<const int> triangles, std::vector<SliceSegment>& out) const;
-
     /// Triangles that slices with planes beside each other may find, also when every point within
     /// `radius` of a plane's origin goes up to `slack` away. No allocation once `out` has grown.
     /// @param offsets  of the planes' origins from that plane's, along v x u, ascending [m]
-    /// @param out      for each plane, ascending; cleared first
     void findNear(const SlicePlane& plane, std::span<const double> offsets, double radius,
-                  double slack, std::span<std::vector<int>> out) const;
+                  double slack, GroundPatch& out) const;
 
     /// Triangles that may reach into the box from `low` to `high` and whose normals are within
     /// `angle` [rad] of +axis or -axis (unit). Appends to `out` (cleared first).

@@ -139,7 +139,7 @@ TEST_P(SliceTest, DiscsOfAWheelAgreeWithEveryTriangleToo) {
     const bool large = terrain.mesh().triangles.size() > 10000;
     Random random(8);
     const std::array<double, 4> offsets{-0.0225, -0.0075, 0.0075, 0.0225};
-    std::array<std::vector<int>, 4> near;
+    GroundPatch near;
     std::array<std::vector<SliceSegment>, 4> slices;
     std::size_t total = 0;
     for (int i = 0; i < (large ? 40 : 300); ++i) {
@@ -151,16 +151,18 @@ TEST_P(SliceTest, DiscsOfAWheelAgreeWithEveryTriangleToo) {
         plane.origin.z() += radius * random.uniform(0.0, 0.6);
         const double slack = i % 3 == 0 ? 0.0 : random.uniform(0.0, 0.01);
         const double reach = radius + offsets.back();
-        const double turn = random.uniform(0.0, 0.5) * slack / reach;
+        const double way = i % 2 == 0 ? slack : random.uniform(0.0, slack);
+        const double turn = random.uniform(0.0, 0.5) * way / reach;
         SlicePlane before = plane;
-        before.origin += (slack - turn * reach) * randomDirection(random);
+        before.origin += (way - turn * reach) * randomDirection(random);
         const Eigen::AngleAxisd turned(turn, randomDirection(random));
         const Vec3 axisBefore = turned * axis;
         before.u = axisBefore.cross(Vec3::UnitZ()).normalized();
         before.v = before.u.cross(axisBefore);
         terrain.findNear(before, offsets, radius, slack, near);
+        near.see(plane);
         for (std::size_t k = 0; k < offsets.size(); ++k) {
-            terrain.slice(plane, offsets[k], radius, near[k], slices[k]);
+            near.slice(k, offsets[k], radius, way, slices[k]);
         }
         for (std::size_t k = 0; k < offsets.size(); ++k) {
             SlicePlane disc = plane;
