@@ -24,7 +24,7 @@ constexpr int kMaxIterations = 300;
 /// Of a roll, which begins next to where it ends.
 constexpr int kMaxRollIterations = 60;
 /// A pose is found when no wheel moves further in one more step [m].
-constexpr double kStill = 1e-10;
+constexpr double kStill = 1e-9;
 /// What the contact finder tells apart where triangles meet: a pose may go on to change by this
 /// [m].
 constexpr double kResolved = 3e-6;
@@ -39,6 +39,8 @@ constexpr double kLongestStep = 0.25;  ///< of a wheel, in radii
 constexpr double kLeastMetric = 1e-5;
 /// A rover is lowered without the curvature of its energy, which only hanging parts need.
 constexpr int kStraightSteps = 4;
+/// The metric is renewed when a wheel has moved by this, in radii.
+constexpr double kSameMetric = 0.1;
 constexpr double kWithoutWheels = 0.1;  ///< instead of a radius [m] (assumed)
 constexpr double kUpright = 0.25;       ///< cosine of the chassis' tilt, beyond it has tipped over
 /// Rows of what holds the rover: along its course, across it, its heading.
@@ -298,7 +300,7 @@ RowVectorXd PoseSolver::headingRow(const Pose& chassis) const {
                                (Vec3::UnitZ() - forward.z() * forward) / level);
 }
 
-/// The program of one step at the pose placed last; its metric comes last.
+/// The program of one step at the pose placed last.
 void PoseSolver::assemble(const Held& held) {
     const mechanism::Mechanism& mechanism = model_.mechanism();
     const std::vector<Pose>& poses = model_.poses();
@@ -359,7 +361,6 @@ void PoseSolver::assemble(const Held& held) {
     if (held.what == Held::What::Way) {
         keepRolling(held.along);
     }
-    metric_ = inertia();
 }
 
 /// Wheels that roll stay on the ground: what each rolls along becomes an equation. Which wheel
@@ -448,6 +449,9 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
     const double start = stiffness;
     const double least = kLeastMetric * stiffness;
     double lastMove = std::numeric_limits<double>::infinity();
+    double movedSince = 0.0;  // that the metric was renewed
+    int metricChoice = -1;
+    VectorXd guess;
     const int most = held.what == Held::What::Way ? kMaxRollIterations : kMaxIterations;
     for (int iteration = 0; iteration < most; ++iteration) {
         result.iterations = iteration + 1;
@@ -465,6 +469,11 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
             result.standing = Standing::NoGround;
             break;
         }
+        if (model_.choice() != metricChoice || movedSince > kSameMetric * radius) {
+            metric_ = inertia();
+            metricChoice = model_.choice();
+            movedSince = 0.0;
+        }
         program_.hessian = stiffness * metric_;
         if (iteration >= kStraightSteps) {
             bend(state);
@@ -473,14 +482,14 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
                 program_.hessian = stiffness * metric_ + convexPart();
             }
         }
-        VectorXd amounts = minimise(program_).x;
+        Optimum optimum = minimise(program_, guess);
+        VectorXd& amounts = optimum.x;
+        guess = std::move(optimum.multipliers);
         double move = 0.0;
         for (const mechanism::Wheel& wheel : mechanism.wheels) {
             const Vec3 center = model_.poses()[static_cast<std::size_t>(wheel.body)] * wheel.center;
-            for (int k = 0; k < 3; ++k) {
-                move = std::max(
-                    move, std::abs(model_.workOf(wheel.body, Vec3::Unit(k), center).dot(amounts)));
-            }
+            const Vec3 by = model_.velocityOf(wheel.body, center, amounts);
+            move = std::max(move, by.cwiseAbs().maxCoeff());
         }
         const double longest = kLongestStep * radius;
         const double share = move > longest ? longest / move : 1.0;
@@ -502,6 +511,7 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
             stiffness *= 2.0;
         }
         lastMove = move;
+        movedSince += share * move;
         model_.move(state, amounts);
     }
     result.state = std::move(state);

@@ -96,6 +96,13 @@ class StaticModel {
     /// as drawn [J].
     double potential(double gravity) const;
 
+    /// Counts how often the motions were chosen anew: numbers by motions of an older choice mean
+    /// something else.
+    int choice() const { return loops_.choice(); }
+
+    /// Of a place (world) of a body, by amounts of each motion.
+    Vec3 velocityOf(int body, const Vec3& point, const Eigen::VectorXd& amounts) const;
+
     /// Inertia of the motions, a metric that makes turns and slides comparable [kg m^2, kg].
     Eigen::MatrixXd inertia();
 
@@ -127,6 +134,7 @@ class StaticModel {
     dynamics::TreeMotion motion_;
     dynamics::LoopClosures loops_;
     std::vector<Eigen::Matrix<double, 6, Eigen::Dynamic>> twists_;  ///< of the tree's bodies
+    mutable std::vector<dynamics::Vec6> wrenches_;                  ///< on them, a workspace
 };
 
 }  // namespace simcore::statics

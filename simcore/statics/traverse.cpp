@@ -149,7 +149,7 @@ class Creep {
             } else {
                 way += step;
                 pose = std::move(next);
-                if (moved < 0.5 * request_.step * radius_) {
+                if (moved < 0.6 * request_.step * radius_) {
                     step = std::min(1.5 * step, request_.step * radius_);
                 }
             }
