@@ -53,6 +53,8 @@ constexpr double kAlike = 2e-5;
 constexpr double kSameFace = 0.999;  ///< cosine between normals of one face, or on one edge
 /// Contacts of one wheel whose normals are this alike are one foothold (cosine of 20 deg).
 constexpr double kOnePlace = 0.94;
+/// Where the ground turns by less, it counts as one face [rad]: as far as footholds are told apart.
+constexpr double kEdge = 20.0 * std::numbers::pi / 180.0;
 
 double lowestOf(const terrain::Terrain& terrain) {
     double lowest = std::numeric_limits<double>::infinity();
@@ -539,6 +541,7 @@ void PoseSolver::describe(StandingPose& result) const {
         if (contact.depth < -kTouching || contact.slice == contact::kSide) {
             continue;
         }
+        const bool onEdge = contact.turn > kEdge;
         const auto same = std::find_if(
             result.footholds.begin(), result.footholds.end(), [&](const Foothold& there) {
                 return there.contact.wheel == contact.wheel &&
@@ -546,9 +549,10 @@ void PoseSolver::describe(StandingPose& result) const {
             });
         if (same == result.footholds.end()) {
             result.footholds.push_back(
-                {{contact.wheel, contact.point, contact.normal, contact.forward}, 0.0});
+                {{contact.wheel, contact.point, contact.normal, contact.forward}, 0.0, onEdge});
             merged.push_back(1);
         } else {
+            same->onEdge = same->onEdge && onEdge;
             const double n = ++merged[static_cast<std::size_t>(same - result.footholds.begin())];
             same->contact.point += (contact.point - same->contact.point) / n;
             same->contact.normal =

@@ -33,6 +33,7 @@ bool isHeld(const TraverseSample& sample) {
 struct Stand {
     int count = 0;
     double foremost = 0.0;  ///< angle [rad]
+    bool onEdge = false;    ///< one of them
 };
 
 std::vector<Stand> standsOf(const StandingPose& pose, std::size_t wheels) {
@@ -41,6 +42,7 @@ std::vector<Stand> standsOf(const StandingPose& pose, std::size_t wheels) {
         Stand& stand = stands[static_cast<std::size_t>(foothold.contact.wheel)];
         ++stand.count;
         stand.foremost = foothold.angle;
+        stand.onEdge = stand.onEdge || foothold.onEdge;
     }
     return stands;
 }
@@ -186,7 +188,8 @@ class Creep {
         return next;
     }
 
-    /// Whether the same wheels touch with as many places, no body and no stop besides.
+    /// Whether the same wheels touch with as many places, on edges or not, no body and no stop
+    /// besides.
     bool same(const StandingPose& a, const StandingPose& b) const {
         if (b.standing != Standing::Stands || a.bodiesTouching != b.bodiesTouching ||
             a.jointsAtStop != b.jointsAtStop) {
@@ -196,7 +199,7 @@ class Creep {
         const std::vector<Stand> from = standsOf(a, wheels);
         const std::vector<Stand> to = standsOf(b, wheels);
         for (std::size_t i = 0; i < wheels; ++i) {
-            if (from[i].count != to[i].count ||
+            if (from[i].count != to[i].count || from[i].onEdge != to[i].onEdge ||
                 std::abs(from[i].foremost - to[i].foremost) > kJump) {
                 return false;
             }
@@ -231,6 +234,9 @@ class Creep {
                 events.push_back(name + " leaves");
             } else if (std::abs(from[i].foremost - to[i].foremost) > kJump) {
                 events.push_back(name + " drops");
+            }
+            if (from[i].onEdge != to[i].onEdge) {
+                events.push_back(name + (to[i].onEdge ? " reaches edge" : " leaves edge"));
             }
         }
         const auto compare = [&](const std::vector<int>& was, const std::vector<int>& is,
