@@ -41,6 +41,8 @@ constexpr double kLeastMetric = 1e-5;
 constexpr int kStraightSteps = 4;
 /// The metric is renewed when a wheel has moved by this, in radii.
 constexpr double kSameMetric = 0.1;
+/// Deeper under the plane of the others than this there is a hole, in radii (assumed).
+constexpr double kHole = 2.0;
 constexpr double kWithoutWheels = 0.1;  ///< instead of a radius [m] (assumed)
 constexpr double kUpright = 0.25;       ///< cosine of the chassis' tilt, beyond it has tipped over
 /// Rows of what holds the rover: along its course, across it, its heading.
@@ -108,22 +110,35 @@ Eigen::Quaterniond PoseSolver::evenWith(const Place& place) const {
     Eigen::Quaterniond heading(Eigen::AngleAxisd(place.heading, Vec3::UnitZ()));
     const Vec3 at(place.x, place.y, 0.0);
     // Plane a + b x + c y through the heights under the wheels, in the directions of the heading.
-    MatrixXd rows(0, 3);
-    VectorXd heights(0);
+    std::vector<Vec3> heights;
     for (const mechanism::Wheel& wheel : model_.mechanism().wheels) {
         const Vec3 under = at + heading * wheel.center;
         const double height = terrain_.heightAt(under.x(), under.y());
         if (std::isfinite(height)) {
-            rows.conservativeResize(rows.rows() + 1, 3);
-            rows.row(rows.rows() - 1) << 1.0, wheel.center.x(), wheel.center.y();
-            heights.conservativeResize(rows.rows());
-            heights[rows.rows() - 1] = height;
+            heights.emplace_back(wheel.center.x(), wheel.center.y(), height);
         }
     }
-    if (rows.rows() == 0) {
+    if (heights.empty()) {
         return heading;
     }
-    const VectorXd plane = rows.completeOrthogonalDecomposition().solve(heights);
+    VectorXd plane;
+    while (true) {
+        MatrixXd rows(heights.size(), 3);
+        VectorXd right(heights.size());
+        for (std::size_t i = 0; i < heights.size(); ++i) {
+            const auto row = static_cast<Eigen::Index>(i);
+            rows.row(row) << 1.0, heights[i].x(), heights[i].y();
+            right[row] = heights[i].z();
+        }
+        plane = rows.completeOrthogonalDecomposition().solve(right);
+        // A hole under a wheel has no say: the wheel will hang.
+        Eigen::Index deepest = 0;
+        const double depth = (rows * plane - right).maxCoeff(&deepest);
+        if (heights.size() <= 3 || depth < kHole * 2.0 * reach_) {
+            break;
+        }
+        heights.erase(heights.begin() + deepest);
+    }
     const Vec3 normal = heading * Vec3(-plane[1], -plane[2], 1.0).normalized();
     return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), normal) * heading;
 }
@@ -451,6 +466,8 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
     const double start = stiffness;
     const double least = kLeastMetric * stiffness;
     double lastMove = std::numeric_limits<double>::infinity();
+    double promised = 0.0;  // that the energy falls by in the last step [J]
+    double lastPotential = 0.0;
     double movedSince = 0.0;  // that the metric was renewed
     int metricChoice = -1;
     VectorXd guess;
@@ -493,9 +510,15 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
             const Vec3 by = model_.velocityOf(wheel.body, center, amounts);
             move = std::max(move, by.cwiseAbs().maxCoeff());
         }
+        // What is on its way down goes on, however long the way.
+        const double potential = model_.potential(dynamics::kGravity);
+        const bool falls = held.what == Held::What::Position && promised > 0.0 &&
+                           lastPotential - potential > 0.5 * promised;
+        lastPotential = potential;
         const double longest = kLongestStep * radius;
         const double share = move > longest ? longest / move : 1.0;
         amounts *= share;
+        promised = program_.right.dot(amounts);
         if (held.what == Held::What::Way) {
             held.way -= program_.rows.row(0).dot(amounts);
         }
@@ -509,6 +532,8 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
             if (held.what == Held::What::Position || iteration >= kStraightSteps) {
                 stiffness = std::max(least, 0.2 * stiffness);
             }
+        } else if (falls) {
+            stiffness = share < 1.0 ? stiffness : std::max(least, 0.5 * stiffness);
         } else if (move > lastMove) {
             stiffness *= 2.0;
         }

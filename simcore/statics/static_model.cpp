@@ -218,7 +218,7 @@ Eigen::VectorXd StaticModel::loads(double gravity) const {
 }
 
 Equilibrium StaticModel::equilibrium(std::span<const Contact> contacts, ContactSet set,
-                                     double gravity) {
+                                     double gravity, std::span<const JointStop> stops) {
     Equilibrium result;
     int columns = 0;
     std::vector<bool> touches(mechanism_.wheels.size(), false);
@@ -233,6 +233,9 @@ Equilibrium StaticModel::equilibrium(std::span<const Contact> contacts, ContactS
         const Wheel& wheel = mechanism_.wheels[static_cast<std::size_t>(contact.wheel)];
         const bool free = set == ContactSet::Free && wheel.relaxedLateral;
         result.lateral.push_back(free ? -1 : columns++);
+    }
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        result.stop.push_back(columns++);
     }
     for (const bool touching : touches) {
         result.torque.push_back(touching ? columns++ : -1);
@@ -254,6 +257,10 @@ Equilibrium StaticModel::equilibrium(std::span<const Contact> contacts, ContactS
         if (touches[w]) {
             result.matrix.col(result.torque[w]) = torqueWork(mechanism_.wheels[w]).transpose();
         }
+    }
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        const mechanism::Joint& joint = mechanism_.joints[static_cast<std::size_t>(stops[i].joint)];
+        result.matrix.col(result.stop[i]) = stops[i].sign * workAboutJoint(joint).transpose();
     }
     result.right = -loads(gravity);
     return result;

@@ -129,6 +129,9 @@ Forces Traction::forcesOf(const VectorXd& unknowns) const {
     for (const int column : equilibrium_.torque) {
         forces.torque.push_back(at(column));
     }
+    for (const int column : equilibrium_.stop) {
+        forces.stop.push_back(at(column));
+    }
     return forces;
 }
 
@@ -140,6 +143,9 @@ VectorXd Traction::unknownsOf(const Forces& forces) const {
         if (equilibrium_.lateral[i] >= 0) {
             unknowns[equilibrium_.lateral[i]] = forces.lateral[i];
         }
+    }
+    for (std::size_t i = 0; i < forces.stop.size(); ++i) {
+        unknowns[equilibrium_.stop[i]] = forces.stop[i];
     }
     for (std::size_t w = 0; w < radii_.size(); ++w) {
         if (equilibrium_.torque[w] >= 0) {
@@ -180,7 +186,8 @@ bool Traction::allowed(const Forces& forces) const {
             return false;
         }
     }
-    return forces.minNormal() >= 0.0;
+    return forces.minNormal() >= 0.0 && std::all_of(forces.stop.begin(), forces.stop.end(),
+                                                    [](double moment) { return moment >= 0.0; });
 }
 
 /// The forces of torques in these proportions; nothing when none of them hold the rover.
@@ -354,6 +361,9 @@ QuasiConvexProgram Traction::programOf(const VectorXd& some, const MatrixXd& mot
         program.halfSpaces.push_back({slope, some[normal] / load_});
         program.halfSpaces.push_back(
             {-slope * (load_ / heaviest()), 1.0 - some[normal] / heaviest()});
+    }
+    for (const int column : equilibrium_.stop) {
+        program.halfSpaces.push_back({motions.row(column).transpose(), some[column] / load_});
     }
     if (objective == Objective::Energy) {
         add(torques_);

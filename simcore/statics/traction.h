@@ -16,6 +16,7 @@ namespace simcore::statics {
 struct Forces {
     std::vector<double> normal, traction, lateral;  ///< of every contact [N]
     std::vector<double> torque;                     ///< of every wheel, 0 where it hangs [N m]
+    std::vector<double> stop;  ///< moments off their stops of the joints at them, >= 0 [N m]
 
     /// Tangential over normal force of a contact; infinite where nothing presses and something
     /// pulls.
@@ -70,8 +71,8 @@ class Traction {
     Solution fixedPoint() const;
 
     /// The best torques, to `tolerance` of the objective: equal torques first, then the fixed point
-    /// for Objective::Friction, then a search (see QuasiConvexProgram), under N >= 0 and
-    /// |torque| <= limit. None when there are no such torques.
+    /// for Objective::Friction, then a search (see QuasiConvexProgram), under N >= 0,
+    /// |torque| <= limit and stops that push. None when there are no such torques.
     Solution best(Objective objective, double tolerance = 1e-8) const;
 
     /// The forces at the contacts when the wheels have these torques, one a wheel; least in norm
