@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "simcore/base/planar.h"
 
@@ -38,6 +39,12 @@ Vec3 cornerNormal(const Vec3& first, const Vec3& second, const Eigen::Vector2d& 
     // Faces back to back, the edge of a sheet: no mean between them.
     constexpr double kBackToBack = 1e-3;
     return normal.dot(towards) > kBackToBack ? Vec3(normal.normalized()) : towards;
+}
+
+double turnBetween(const SliceSegment& first, const SliceSegment& second) {
+    const Eigen::Vector2d a = first.b - first.a;
+    const Eigen::Vector2d b = second.b - second.a;
+    return std::atan2(std::abs(cross(a, b)), a.dot(b));
 }
 
 /// Round the disc from straight below, + ahead [rad].
@@ -143,7 +150,8 @@ void SliceContactFinder::addCorner(std::size_t index, bool atStart) {
                             : Vec3(out.x() * plane_->u + out.y() * plane_->v);
     const double depth = (radius_ - distance) * inPlane(normal, *plane_).norm();
     if (depth > -margin_) {
-        add({point, normal, depth});
+        add({point, normal, depth,
+             neighbour != nullptr ? turnBetween(own, *neighbour) : std::numbers::pi});
     }
 }
 

@@ -102,7 +102,7 @@ void WheelContactFinder::add(int wheel, int slice, const SlicePlane& plane, cons
                              const SliceContact& contact) {
     const Vec3 point = plane.origin + contact.point.x() * plane.u + contact.point.y() * plane.v;
     contacts_.push_back({wheel, slice, point, contact.normal,
-                         axis.cross(contact.normal).normalized(), contact.depth});
+                         axis.cross(contact.normal).normalized(), contact.depth, -1, contact.turn});
 }
 
 void WheelContactFinder::findOuter(std::size_t wheel, const SlicePlane& middle, const Vec3& axis) {

@@ -25,6 +25,7 @@ struct Contact {
     Vec3 forward = Vec3::UnitX();  ///< unit, the rolling direction, square to the normal, world
     double depth = 0.0;            ///< penetration [m], > 0 inside
     int body = -1;                 ///< where no wheel touches: the body that does
+    double turn = 0.0;             ///< of a wheel's rim on an edge: by which the ground turns [rad]
 };
 
 /// The body that touches.

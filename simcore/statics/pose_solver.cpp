@@ -24,7 +24,7 @@ constexpr int kMaxIterations = 300;
 /// Of a roll, which begins next to where it ends.
 constexpr int kMaxRollIterations = 60;
 /// A pose is found when no wheel moves further in one more step [m].
-constexpr double kStill = 1e-10;
+constexpr double kStill = 1e-9;
 /// What the contact finder tells apart where triangles meet: a pose may go on to change by this
 /// [m].
 constexpr double kResolved = 3e-6;
@@ -39,6 +39,10 @@ constexpr double kLongestStep = 0.25;  ///< of a wheel, in radii
 constexpr double kLeastMetric = 1e-5;
 /// A rover is lowered without the curvature of its energy, which only hanging parts need.
 constexpr int kStraightSteps = 4;
+/// The metric is renewed when a wheel has moved by this, in radii.
+constexpr double kSameMetric = 0.1;
+/// Deeper under the plane of the others than this there is a hole, in radii (assumed).
+constexpr double kHole = 2.0;
 constexpr double kWithoutWheels = 0.1;  ///< instead of a radius [m] (assumed)
 constexpr double kUpright = 0.25;       ///< cosine of the chassis' tilt, beyond it has tipped over
 /// Rows of what holds the rover: along its course, across it, its heading.
@@ -51,6 +55,8 @@ constexpr double kAlike = 2e-5;
 constexpr double kSameFace = 0.999;  ///< cosine between normals of one face, or on one edge
 /// Contacts of one wheel whose normals are this alike are one foothold (cosine of 20 deg).
 constexpr double kOnePlace = 0.94;
+/// Where the ground turns by less, it counts as one face [rad]: as far as footholds are told apart.
+constexpr double kEdge = 20.0 * std::numbers::pi / 180.0;
 
 double lowestOf(const terrain::Terrain& terrain) {
     double lowest = std::numeric_limits<double>::infinity();
@@ -104,22 +110,35 @@ Eigen::Quaterniond PoseSolver::evenWith(const Place& place) const {
     Eigen::Quaterniond heading(Eigen::AngleAxisd(place.heading, Vec3::UnitZ()));
     const Vec3 at(place.x, place.y, 0.0);
     // Plane a + b x + c y through the heights under the wheels, in the directions of the heading.
-    MatrixXd rows(0, 3);
-    VectorXd heights(0);
+    std::vector<Vec3> heights;
     for (const mechanism::Wheel& wheel : model_.mechanism().wheels) {
         const Vec3 under = at + heading * wheel.center;
         const double height = terrain_.heightAt(under.x(), under.y());
         if (std::isfinite(height)) {
-            rows.conservativeResize(rows.rows() + 1, 3);
-            rows.row(rows.rows() - 1) << 1.0, wheel.center.x(), wheel.center.y();
-            heights.conservativeResize(rows.rows());
-            heights[rows.rows() - 1] = height;
+            heights.emplace_back(wheel.center.x(), wheel.center.y(), height);
         }
     }
-    if (rows.rows() == 0) {
+    if (heights.empty()) {
         return heading;
     }
-    const VectorXd plane = rows.completeOrthogonalDecomposition().solve(heights);
+    VectorXd plane;
+    while (true) {
+        MatrixXd rows(heights.size(), 3);
+        VectorXd right(heights.size());
+        for (std::size_t i = 0; i < heights.size(); ++i) {
+            const auto row = static_cast<Eigen::Index>(i);
+            rows.row(row) << 1.0, heights[i].x(), heights[i].y();
+            right[row] = heights[i].z();
+        }
+        plane = rows.completeOrthogonalDecomposition().solve(right);
+        // A hole under a wheel has no say: the wheel will hang.
+        Eigen::Index deepest = 0;
+        const double depth = (rows * plane - right).maxCoeff(&deepest);
+        if (heights.size() <= 3 || depth < kHole * 2.0 * reach_) {
+            break;
+        }
+        heights.erase(heights.begin() + deepest);
+    }
     const Vec3 normal = heading * Vec3(-plane[1], -plane[2], 1.0).normalized();
     return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), normal) * heading;
 }
@@ -298,7 +317,7 @@ RowVectorXd PoseSolver::headingRow(const Pose& chassis) const {
                                (Vec3::UnitZ() - forward.z() * forward) / level);
 }
 
-/// The program of one step at the pose placed last; its metric comes last.
+/// The program of one step at the pose placed last.
 void PoseSolver::assemble(const Held& held) {
     const mechanism::Mechanism& mechanism = model_.mechanism();
     const std::vector<Pose>& poses = model_.poses();
@@ -359,7 +378,6 @@ void PoseSolver::assemble(const Held& held) {
     if (held.what == Held::What::Way) {
         keepRolling(held.along);
     }
-    metric_ = inertia();
 }
 
 /// Wheels that roll stay on the ground: what each rolls along becomes an equation. Which wheel
@@ -448,6 +466,11 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
     const double start = stiffness;
     const double least = kLeastMetric * stiffness;
     double lastMove = std::numeric_limits<double>::infinity();
+    double promised = 0.0;  // that the energy falls by in the last step [J]
+    double lastPotential = 0.0;
+    double movedSince = 0.0;  // that the metric was renewed
+    int metricChoice = -1;
+    VectorXd guess;
     const int most = held.what == Held::What::Way ? kMaxRollIterations : kMaxIterations;
     for (int iteration = 0; iteration < most; ++iteration) {
         result.iterations = iteration + 1;
@@ -465,6 +488,11 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
             result.standing = Standing::NoGround;
             break;
         }
+        if (model_.choice() != metricChoice || movedSince > kSameMetric * radius) {
+            metric_ = inertia();
+            metricChoice = model_.choice();
+            movedSince = 0.0;
+        }
         program_.hessian = stiffness * metric_;
         if (iteration >= kStraightSteps) {
             bend(state);
@@ -473,18 +501,24 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
                 program_.hessian = stiffness * metric_ + convexPart();
             }
         }
-        VectorXd amounts = minimise(program_).x;
+        Optimum optimum = minimise(program_, guess);
+        VectorXd& amounts = optimum.x;
+        guess = std::move(optimum.multipliers);
         double move = 0.0;
         for (const mechanism::Wheel& wheel : mechanism.wheels) {
             const Vec3 center = model_.poses()[static_cast<std::size_t>(wheel.body)] * wheel.center;
-            for (int k = 0; k < 3; ++k) {
-                move = std::max(
-                    move, std::abs(model_.workOf(wheel.body, Vec3::Unit(k), center).dot(amounts)));
-            }
+            const Vec3 by = model_.velocityOf(wheel.body, center, amounts);
+            move = std::max(move, by.cwiseAbs().maxCoeff());
         }
+        // What is on its way down goes on, however long the way.
+        const double potential = model_.potential(dynamics::kGravity);
+        const bool falls = held.what == Held::What::Position && promised > 0.0 &&
+                           lastPotential - potential > 0.5 * promised;
+        lastPotential = potential;
         const double longest = kLongestStep * radius;
         const double share = move > longest ? longest / move : 1.0;
         amounts *= share;
+        promised = program_.right.dot(amounts);
         if (held.what == Held::What::Way) {
             held.way -= program_.rows.row(0).dot(amounts);
         }
@@ -498,10 +532,13 @@ StandingPose PoseSolver::solve(dynamics::TreeState state, Held held) {
             if (held.what == Held::What::Position || iteration >= kStraightSteps) {
                 stiffness = std::max(least, 0.2 * stiffness);
             }
+        } else if (falls) {
+            stiffness = share < 1.0 ? stiffness : std::max(least, 0.5 * stiffness);
         } else if (move > lastMove) {
             stiffness *= 2.0;
         }
         lastMove = move;
+        movedSince += share * move;
         model_.move(state, amounts);
     }
     result.state = std::move(state);
@@ -529,6 +566,7 @@ void PoseSolver::describe(StandingPose& result) const {
         if (contact.depth < -kTouching || contact.slice == contact::kSide) {
             continue;
         }
+        const bool onEdge = contact.turn > kEdge;
         const auto same = std::find_if(
             result.footholds.begin(), result.footholds.end(), [&](const Foothold& there) {
                 return there.contact.wheel == contact.wheel &&
@@ -536,9 +574,10 @@ void PoseSolver::describe(StandingPose& result) const {
             });
         if (same == result.footholds.end()) {
             result.footholds.push_back(
-                {{contact.wheel, contact.point, contact.normal, contact.forward}, 0.0});
+                {{contact.wheel, contact.point, contact.normal, contact.forward}, 0.0, onEdge});
             merged.push_back(1);
         } else {
+            same->onEdge = same->onEdge && onEdge;
             const double n = ++merged[static_cast<std::size_t>(same - result.footholds.begin())];
             same->contact.point += (contact.point - same->contact.point) / n;
             same->contact.normal =

@@ -34,6 +34,9 @@ struct Foothold {
     Contact contact;
     /// In the wheel's plane, from up to the normal, positive: what it touches is ahead [rad].
     double angle = 0.0;
+    /// It is on an edge of the ground, about which the wheel turns, and on no face. Ground that
+    /// turns by less than 20 deg, as finely cut ground does everywhere, counts as one face.
+    bool onEdge = false;
 };
 
 /// A rover that stands on a terrain.

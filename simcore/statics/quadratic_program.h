@@ -22,6 +22,8 @@ struct Optimum {
 /// Problems, 1974, ch. 23, with the Gram matrix J H^-1 J'). Rows may depend on each other. Rows
 /// that contradict each other get the least violation, weighed by J H^-1 J'. Small problems:
 /// everything is dense.
-Optimum minimise(const QuadraticProgram& problem);
+/// @param guess  multipliers of a program with the same rows that is nearly this one: which of them
+///               are active need not be found anew
+Optimum minimise(const QuadraticProgram& problem, const Eigen::VectorXd& guess = {});
 
 }  // namespace simcore::statics

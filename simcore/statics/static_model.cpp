@@ -28,7 +28,8 @@ StaticModel::StaticModel(const mechanism::Mechanism& mechanism, Model joints)
       tree_(mechanism_, joints),
       motion_(mechanism_, tree_),
       loops_(mechanism_, tree_, joints),
-      twists_(tree_.bodies().size()) {
+      twists_(tree_.bodies().size()),
+      wrenches_(tree_.bodies().size()) {
     if (const Problems problems = dynamics::whyNoEngineCanRun(mechanism); !problems.empty()) {
         throw std::invalid_argument(toString(problems));
     }
@@ -89,16 +90,30 @@ void StaticModel::move(dynamics::TreeState& state, const Eigen::VectorXd& amount
     dynamics::advance(tree_, state, change);
 }
 
+Vec3 StaticModel::velocityOf(int body, const Vec3& point, const Eigen::VectorXd& amounts) const {
+    const int at = tree_.positionOf(body);
+    if (at < 0) {
+        return Vec3::Zero();
+    }
+    const dynamics::Vec6 twist = twists_[static_cast<std::size_t>(at)] * amounts;
+    const Vec3 turn = twist.head<3>();
+    return twist.tail<3>() + turn.cross(point - motion_.origin(body));
+}
+
 Eigen::MatrixXd StaticModel::inertia() {
     motion_.weigh();
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(motions(), motions());
-    Eigen::Matrix<double, 6, Eigen::Dynamic> momenta(6, motions());
-    for (std::size_t k = 0; k < twists_.size(); ++k) {
-        for (Eigen::Index i = 0; i < twists_[k].cols(); ++i) {
-            momenta.col(i) = motion_.inertia(k) * dynamics::Vec6(twists_[k].col(i));
+    motion_.massMatrix([&](int i, int j, double mass) {
+        for (const RateTerm& a : loops_.terms(i)) {
+            for (const RateTerm& b : loops_.terms(j)) {
+                const double share = a.factor * mass * b.factor;
+                sum(a.index, b.index) += share;
+                if (i != j) {
+                    sum(b.index, a.index) += share;
+                }
+            }
         }
-        sum.noalias() += twists_[k].transpose() * momenta;
-    }
+    });
     return sum;
 }
 
@@ -152,11 +167,16 @@ double StaticModel::potential(double gravity) const {
 }
 
 Eigen::VectorXd StaticModel::loads(double gravity) const {
-    Eigen::RowVectorXd work = Eigen::RowVectorXd::Zero(motions());
+    std::fill(wrenches_.begin(), wrenches_.end(), dynamics::Vec6::Zero());
+    const auto push = [&](int body, const Vec3& force, const Vec3& point) {
+        if (const int at = tree_.positionOf(body); at >= 0) {
+            wrenches_[static_cast<std::size_t>(at)] +=
+                dynamics::forceAt(force, point - motion_.origin(body));
+        }
+    };
     for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
         const mechanism::Body& body = mechanism_.bodies[i];
-        work +=
-            workOf(static_cast<int>(i), {0.0, 0.0, -body.mass * gravity}, poses()[i] * body.com);
+        push(static_cast<int>(i), {0.0, 0.0, -body.mass * gravity}, poses()[i] * body.com);
     }
     for (const mechanism::Spring& spring : mechanism_.springs) {
         if (spring.joint >= 0) {
@@ -164,22 +184,41 @@ Eigen::VectorXd StaticModel::loads(double gravity) const {
                 mechanism_.joints[static_cast<std::size_t>(spring.joint)];
             const double torque =
                 spring.preload - spring.stiffness * mechanism::jointAngle(joint, poses());
-            work += torque * workAboutJoint(joint);
+            const Vec3 axis = poses()[static_cast<std::size_t>(joint.first)].rotation * joint.axis;
+            dynamics::pushBetween(tree_, joint.first, joint.second,
+                                  dynamics::spatial(torque * axis, Vec3::Zero()), wrenches_);
             continue;
         }
         const Vec3 a = poses()[static_cast<std::size_t>(spring.first)] * spring.firstPoint;
         const Vec3 b = poses()[static_cast<std::size_t>(spring.second)] * spring.secondPoint;
         const double drawn = (spring.secondPoint - spring.firstPoint).norm();
-        const double push = spring.preload + spring.stiffness * (drawn - (b - a).norm());
-        const Vec3 force = push * (b - a).normalized();
-        work += workOf(spring.second, force, b);
-        work -= workOf(spring.first, force, a);
+        const double thrust = spring.preload + spring.stiffness * (drawn - (b - a).norm());
+        const Vec3 force = thrust * (b - a).normalized();
+        push(spring.second, force, b);
+        push(spring.first, -force, a);
     }
-    return work.transpose();
+    // All that comes after a rate works on it.
+    Eigen::VectorXd work = Eigen::VectorXd::Zero(motions());
+    for (std::size_t k = wrenches_.size(); k-- > 0;) {
+        const TreeBody& at = tree_.bodies()[k];
+        for (const dynamics::TreeElement& element : at.elements) {
+            for (int rate = element.rate; rate < element.rate + element.rateCount(); ++rate) {
+                const double force =
+                    motion_.screws()[static_cast<std::size_t>(rate)].dot(wrenches_[k]);
+                for (const RateTerm& term : loops_.terms(rate)) {
+                    work[term.index] += term.factor * force;
+                }
+            }
+        }
+        if (at.parent >= 0) {
+            wrenches_[static_cast<std::size_t>(at.parent)] += wrenches_[k];
+        }
+    }
+    return work;
 }
 
 Equilibrium StaticModel::equilibrium(std::span<const Contact> contacts, ContactSet set,
-                                     double gravity) {
+                                     double gravity, std::span<const JointStop> stops) {
     Equilibrium result;
     int columns = 0;
     std::vector<bool> touches(mechanism_.wheels.size(), false);
@@ -194,6 +233,9 @@ Equilibrium StaticModel::equilibrium(std::span<const Contact> contacts, ContactS
         const Wheel& wheel = mechanism_.wheels[static_cast<std::size_t>(contact.wheel)];
         const bool free = set == ContactSet::Free && wheel.relaxedLateral;
         result.lateral.push_back(free ? -1 : columns++);
+    }
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        result.stop.push_back(columns++);
     }
     for (const bool touching : touches) {
         result.torque.push_back(touching ? columns++ : -1);
@@ -215,6 +257,10 @@ Equilibrium StaticModel::equilibrium(std::span<const Contact> contacts, ContactS
         if (touches[w]) {
             result.matrix.col(result.torque[w]) = torqueWork(mechanism_.wheels[w]).transpose();
         }
+    }
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        const mechanism::Joint& joint = mechanism_.joints[static_cast<std::size_t>(stops[i].joint)];
+        result.matrix.col(result.stop[i]) = stops[i].sign * workAboutJoint(joint).transpose();
     }
     result.right = -loads(gravity);
     return result;

@@ -32,16 +32,23 @@ struct Contact {
 Contact contactAtAngle(const mechanism::Mechanism& mechanism, int wheel,
                        const std::vector<Pose>& poses, double angle);
 
+/// A joint that stands at one of its stops.
+struct JointStop {
+    int joint = -1;
+    double sign = 1.0;  ///< of the moment on the second body: + at the lower stop
+};
+
 /// M U = R: balance of all internal motions of a mechanism (paper eq. 2, 3).
 ///
 /// U holds the normal forces of all contacts, their tractions (forward), the lateral forces that
-/// the contact set has, and the torques of all wheels that touch. Forces act on the wheels; a
-/// positive torque drives forward.
+/// the contact set has, the moments of joints at their stops, and the torques of all wheels that
+/// touch. Forces act on the wheels; a positive torque drives forward.
 struct Equilibrium {
     Eigen::MatrixXd matrix;             ///< M: one row an independent motion
     Eigen::VectorXd right;              ///< R: weight and springs [N m] or [N]
     std::vector<int> normal, traction;  ///< columns, one a contact
     std::vector<int> lateral;           ///< columns, one a contact; -1 = no such unknown
+    std::vector<int> stop;              ///< columns, one a joint at its stop: moments off it [N m]
     std::vector<int> torque;            ///< columns, one a wheel; -1 = it hangs
 };
 
@@ -96,12 +103,20 @@ class StaticModel {
     /// as drawn [J].
     double potential(double gravity) const;
 
+    /// Counts how often the motions were chosen anew: numbers by motions of an older choice mean
+    /// something else.
+    int choice() const { return loops_.choice(); }
+
+    /// Of a place (world) of a body, by amounts of each motion.
+    Vec3 velocityOf(int body, const Vec3& point, const Eigen::VectorXd& amounts) const;
+
     /// Inertia of the motions, a metric that makes turns and slides comparable [kg m^2, kg].
     Eigen::MatrixXd inertia();
 
     /// Of the pose placed last.
     /// @param gravity  [m/s^2], along -z
-    Equilibrium equilibrium(std::span<const Contact> contacts, ContactSet set, double gravity);
+    Equilibrium equilibrium(std::span<const Contact> contacts, ContactSet set, double gravity,
+                            std::span<const JointStop> stops = {});
 
     /// Wheel rates against their carriers per unit of forward speed of the chassis origin [rad/m],
     /// when no contact slips and the chassis moves along its forward axis, seen from above, without
@@ -127,6 +142,7 @@ class StaticModel {
     dynamics::TreeMotion motion_;
     dynamics::LoopClosures loops_;
     std::vector<Eigen::Matrix<double, 6, Eigen::Dynamic>> twists_;  ///< of the tree's bodies
+    mutable std::vector<dynamics::Vec6> wrenches_;                  ///< on them, a workspace
 };
 
 }  // namespace simcore::statics

@@ -70,11 +70,12 @@ Problems problemsOf(const Mechanism& mechanism, const StudyRequest& request) {
 
 /// What a rover needs with these contacts at the pose placed last.
 Study studyContacts(StaticModel& model, const std::vector<Contact>& contacts,
-                    std::optional<ContactSet> asked, bool searched) {
+                    std::span<const JointStop> stops, std::optional<ContactSet> asked,
+                    bool searched) {
     const Mechanism& mechanism = model.mechanism();
     const ContactSet set = asked.value_or(
         alikeLeftAndRight(mechanism, model.poses(), contacts) ? ContactSet::Free : ContactSet::All);
-    const Equilibrium equilibrium = model.equilibrium(contacts, set, dynamics::kGravity);
+    const Equilibrium equilibrium = model.equilibrium(contacts, set, dynamics::kGravity, stops);
     const Traction traction(equilibrium, mechanism, contacts);
 
     Study study;
@@ -221,11 +222,23 @@ std::vector<int> limitingWheels(const Study& study) {
     return limiting;
 }
 
+std::vector<JointStop> stopsOf(const StaticModel& model, const StandingPose& pose) {
+    std::vector<JointStop> stops;
+    for (const int index : pose.jointsAtStop) {
+        const mechanism::Joint& joint = model.mechanism().joints[static_cast<std::size_t>(index)];
+        const double middle = 0.5 * (joint.stops->first + joint.stops->second);
+        const bool lower = mechanism::jointAngle(joint, pose.bodies) < middle;
+        stops.push_back({index, lower ? 1.0 : -1.0});
+    }
+    return stops;
+}
+
 Study studyPose(StaticModel& model, const StandingPose& pose, std::optional<ContactSet> contacts,
                 bool backwards, bool searched) {
     dynamics::TreeState state = pose.state;
     model.place(state);
-    Study study = studyContacts(model, rollingAlong(pose, backwards), contacts, searched);
+    Study study = studyContacts(model, rollingAlong(pose, backwards), stopsOf(model, pose),
+                                contacts, searched);
     // What carries the body is no wheel's to hold.
     study.feasible = study.feasible && pose.bodiesTouching.empty();
     for (const int body : pose.bodiesTouching) {
@@ -253,7 +266,7 @@ Result<Study> studyDrawnPose(const Mechanism& mechanism, const StudyRequest& req
         contacts.push_back(
             contactAtAngle(mechanism, static_cast<int>(i), model.poses(), angles[i]));
     }
-    return studyContacts(model, contacts, request.contacts, true);
+    return studyContacts(model, contacts, {}, request.contacts, true);
 }
 
 }  // namespace simcore::statics

@@ -57,6 +57,9 @@ struct Study {
 /// that no engine could run, no wheels.
 Result<Study> studyDrawnPose(const mechanism::Mechanism& mechanism, const StudyRequest& request);
 
+/// The stops at which a rover's joints stand.
+std::vector<JointStop> stopsOf(const StaticModel& model, const StandingPose& pose);
+
 /// At a pose that a rover has taken up.
 /// @param searched  also look for the least torques
 Study studyPose(StaticModel& model, const StandingPose& pose, std::optional<ContactSet> contacts,

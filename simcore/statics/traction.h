@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "simcore/mechanism/mechanism.h"
+#include "simcore/statics/quasi_convex.h"
 #include "simcore/statics/static_model.h"
 
 namespace simcore::statics {
@@ -15,6 +16,7 @@ namespace simcore::statics {
 struct Forces {
     std::vector<double> normal, traction, lateral;  ///< of every contact [N]
     std::vector<double> torque;                     ///< of every wheel, 0 where it hangs [N m]
+    std::vector<double> stop;  ///< moments off their stops of the joints at them, >= 0 [N m]
 
     /// Tangential over normal force of a contact; infinite where nothing presses and something
     /// pulls.
@@ -35,7 +37,7 @@ enum class Way {
     None,        ///< no torques hold the rover
     Equal,       ///< all wheels alike
     FixedPoint,  ///< all ratios alike, found by iteration
-    Search,      ///< interior-point search
+    Search,      ///< a quasi-convex program, see minimise()
 };
 
 struct Solution {
@@ -69,9 +71,8 @@ class Traction {
     Solution fixedPoint() const;
 
     /// The best torques, to `tolerance` of the objective: equal torques first, then the fixed point
-    /// for Objective::Friction, then a method of centers with Newton's iteration (S. Boyd,
-    /// L. El Ghaoui, Linear Algebra Appl. 188, 1993), under N >= 0 and |torque| <= limit. None when
-    /// there are no such torques.
+    /// for Objective::Friction, then a search (see QuasiConvexProgram), under N >= 0,
+    /// |torque| <= limit and stops that push. None when there are no such torques.
     Solution best(Objective objective, double tolerance = 1e-8) const;
 
     /// The forces at the contacts when the wheels have these torques, one a wheel; least in norm
@@ -92,13 +93,14 @@ class Traction {
     Forces forcesOf(const Eigen::VectorXd& unknowns) const;
     bool allowed(const Forces& forces) const;
     double heaviest() const;
-    bool findInterior(const Eigen::VectorXd& some, const Eigen::MatrixXd& motions,
-                      Eigen::VectorXd& y) const;
+    QuasiConvexProgram programOf(const Eigen::VectorXd& some, const Eigen::MatrixXd& motions,
+                                 Objective objective) const;
     Solution search(const Eigen::VectorXd& some, const Eigen::MatrixXd& motions, Eigen::VectorXd y,
                     Objective objective, double tolerance) const;
 
     const Equilibrium equilibrium_;
     std::vector<int> wheelOf_;          ///< of every contact
+    std::vector<int> torques_;          ///< columns of the wheels that touch
     std::vector<double> torqueLimits_;  ///< of every wheel [N m]
     std::vector<double> radii_;         ///< of every wheel [m]
     double load_ = 1.0;                 ///< mean of a contact, a scale [N]

@@ -33,6 +33,7 @@ bool isHeld(const TraverseSample& sample) {
 struct Stand {
     int count = 0;
     double foremost = 0.0;  ///< angle [rad]
+    bool onEdge = false;    ///< one of them
 };
 
 std::vector<Stand> standsOf(const StandingPose& pose, std::size_t wheels) {
@@ -41,132 +42,151 @@ std::vector<Stand> standsOf(const StandingPose& pose, std::size_t wheels) {
         Stand& stand = stands[static_cast<std::size_t>(foothold.contact.wheel)];
         ++stand.count;
         stand.foremost = foothold.angle;
+        stand.onEdge = stand.onEdge || foothold.onEdge;
     }
     return stands;
 }
 
 class Creep {
   public:
-    Creep(PoseSolver& solver, const TraverseRequest& request)
+    Creep(PoseSolver& solver, const TraverseRequest& request,
+          const std::function<bool(const TraverseSample&)>& watch)
         : solver_(solver),
           request_(request),
+          watch_(watch),
           sign_(request.backwards ? -1.0 : 1.0),
           ahead_(std::cos(request.from.heading), std::sin(request.from.heading), 0.0),
-          radius_(leastRadius(solver.mechanism())) {}
+          radius_(leastRadius(solver.mechanism())),
+          longest_(request.step * radius_),
+          step_(0.5 * longest_) {}
 
-    Traverse follow(const std::function<bool(const TraverseSample&)>& watch) {
-        Traverse result;
-        result.radius = radius_;
-        StandingPose pose = solver_.settle(request_.from);
-        if (pose.standing != Standing::Stands) {
-            result.end = TraverseEnd::NoPose;
-            result.why = pose.standing;
-            return result;
+    Traverse follow() {
+        result_.radius = radius_;
+        pose_ = solver_.settle(request_.from);
+        if (pose_.standing != Standing::Stands) {
+            end(TraverseEnd::NoPose, pose_.standing);
+            return std::move(result_);
         }
-        double way = 0.0;
-        double farthest = distanceOf(pose);
-        double wayAtFarthest = 0.0;
-        std::size_t samplesAtFarthest = 0;
-        const auto take = [&](std::vector<std::string> events) {
-            TraverseSample sample;
-            sample.way = way;
-            sample.distance = distanceOf(pose);
-            sample.pose = pose;
-            sample.climbs =
-                !result.samples.empty() && pose.potential > result.samples.back().pose.potential;
-            if (request_.study) {
-                sample.study =
-                    studyPose(solver_.model(), pose, request_.contacts, request_.backwards, false);
-            }
-            sample.events = std::move(events);
-            result.samples.push_back(std::move(sample));
-            return !watch || watch(result.samples.back());
-        };
-        if (!take({})) {
-            result.end = TraverseEnd::Stopped;
-            return result;
+        farthest_ = distanceOf(pose_);
+        bool goesOn = take({});
+        while (goesOn && distanceOf(pose_) < request_.distance) {
+            goesOn = getsOn() && advance();
         }
-        double step = 0.5 * request_.step * radius_;
-        std::size_t blockFirst = 0;
-        double blockWay = 0.0;
-        while (distanceOf(pose) < request_.distance) {
-            if (way - wayAtFarthest > kRollsInVain * radius_ ||
-                result.samples.size() > samplesAtFarthest + kSamplesInVain) {
-                result.end = TraverseEnd::Stuck;
-                return result;
-            }
-            StandingPose next = solver_.roll(pose, step, request_.backwards);
-            if (result.samples.size() >= blockFirst + kBlock) {
-                if (way - blockWay < kBlockWay * radius_) {
-                    next = beyond(pose);
-                    if (next.standing != Standing::Stands) {
-                        result.end = TraverseEnd::NoPose;
-                        result.why = next.standing;
-                        return result;
-                    }
-                }
-                blockFirst = result.samples.size();
-                blockWay = way;
-            }
-            const bool event = !same(pose, next);
-            const double moved = event ? 0.0 : movedMost(pose, next);
-            if (!event && moved > request_.step * radius_ && step > kShortest * radius_) {
-                step *= std::max(0.3, 0.8 * request_.step * radius_ / moved);
-                continue;
-            }
-            std::vector<std::string> events;
-            if (event) {
-                double before = 0.0;
-                double after = step;
-                StandingPose last = pose;
-                while (after - before > kLocated) {
-                    const double middle = 0.5 * (before + after);
-                    StandingPose tried = solver_.roll(pose, middle, request_.backwards);
-                    (same(pose, tried) ? before : after) = middle;
-                    (before == middle ? last : next) = std::move(tried);
-                }
-                if (next.standing != Standing::Stands) {
-                    const Standing why = next.standing;
-                    next = beyond(last);
-                    if (next.standing != Standing::Stands) {
-                        result.end = TraverseEnd::NoPose;
-                        result.why = why;
-                        return result;
-                    }
-                }
-                events = eventsOf(last, next);
-                const double start = way;
-                if (before > 0.0) {
-                    pose = std::move(last);
-                    way = start + before;
-                    if (!take({})) {
-                        result.end = TraverseEnd::Stopped;
-                        return result;
-                    }
-                }
-                way = start + after;
-                pose = std::move(next);
-            } else {
-                way += step;
-                pose = std::move(next);
-                if (moved < 0.5 * request_.step * radius_) {
-                    step = std::min(1.5 * step, request_.step * radius_);
-                }
-            }
-            if (distanceOf(pose) > farthest + kGetsOn * radius_) {
-                farthest = distanceOf(pose);
-                wayAtFarthest = way;
-                samplesAtFarthest = result.samples.size();
-            }
-            if (!take(std::move(events))) {
-                result.end = TraverseEnd::Stopped;
-                return result;
-            }
-        }
-        return result;
+        return std::move(result_);
     }
 
   private:
+    /// @return false
+    bool end(TraverseEnd end, Standing why = Standing::Stands) {
+        result_.end = end;
+        result_.why = why;
+        return false;
+    }
+
+    /// Adds a sample at the present pose; false when who watches has seen enough.
+    bool take(std::vector<std::string> events) {
+        TraverseSample sample;
+        sample.way = way_;
+        sample.distance = distanceOf(pose_);
+        sample.pose = pose_;
+        sample.climbs =
+            !result_.samples.empty() && pose_.potential > result_.samples.back().pose.potential;
+        if (request_.study) {
+            sample.study =
+                studyPose(solver_.model(), pose_, request_.contacts, request_.backwards, false);
+        }
+        sample.events = std::move(events);
+        result_.samples.push_back(std::move(sample));
+        return !watch_ || watch_(result_.samples.back()) || end(TraverseEnd::Stopped);
+    }
+
+    /// Whether the rover goes on when its wheels do.
+    bool getsOn() {
+        if (way_ - wayAtFarthest_ > kRollsInVain * radius_ ||
+            result_.samples.size() > samplesAtFarthest_ + kSamplesInVain) {
+            return end(TraverseEnd::Stuck);
+        }
+        return true;
+    }
+
+    /// Goes one step on, or tries again with a shorter one next time. False at the end of the way.
+    bool advance() {
+        StandingPose next = solver_.roll(pose_, step_, request_.backwards);
+        if (meetsAndLeavesByTurns()) {
+            next = beyond(pose_);
+            if (next.standing != Standing::Stands) {
+                return end(TraverseEnd::NoPose, next.standing);
+            }
+        }
+        if (!same(pose_, next)) {
+            return passEvent(std::move(next));
+        }
+        const double moved = movedMost(pose_, next);
+        if (moved > longest_ && step_ > kShortest * radius_) {
+            step_ *= std::max(0.3, 0.8 * longest_ / moved);
+            return true;
+        }
+        const double way = way_ + step_;
+        if (moved < 0.6 * longest_) {
+            step_ = std::min(1.5 * step_, longest_);
+        }
+        return arrive(std::move(next), way, {});
+    }
+
+    /// Many samples on little way.
+    bool meetsAndLeavesByTurns() {
+        if (result_.samples.size() < blockFirst_ + kBlock) {
+            return false;
+        }
+        const bool inVain = way_ - blockWay_ < kBlockWay * radius_;
+        blockFirst_ = result_.samples.size();
+        blockWay_ = way_;
+        return inVain;
+    }
+
+    /// Locates the event between the present pose and `next`, one step on, with a sample just
+    /// before it and one just after.
+    bool passEvent(StandingPose next) {
+        double before = 0.0;
+        double after = step_;
+        StandingPose last = pose_;
+        while (after - before > kLocated) {
+            const double middle = 0.5 * (before + after);
+            StandingPose tried = solver_.roll(pose_, middle, request_.backwards);
+            const bool isBefore = same(pose_, tried);
+            (isBefore ? before : after) = middle;
+            (isBefore ? last : next) = std::move(tried);
+        }
+        if (next.standing != Standing::Stands) {
+            const Standing why = next.standing;
+            next = beyond(last);
+            if (next.standing != Standing::Stands) {
+                return end(TraverseEnd::NoPose, why);
+            }
+        }
+        std::vector<std::string> events = eventsOf(last, next);
+        const double start = way_;
+        if (before > 0.0) {
+            pose_ = std::move(last);
+            way_ = start + before;
+            if (!take({})) {
+                return false;
+            }
+        }
+        return arrive(std::move(next), start + after, std::move(events));
+    }
+
+    bool arrive(StandingPose pose, double way, std::vector<std::string> events) {
+        pose_ = std::move(pose);
+        way_ = way;
+        if (distanceOf(pose_) > farthest_ + kGetsOn * radius_) {
+            farthest_ = distanceOf(pose_);
+            wayAtFarthest_ = way_;
+            samplesAtFarthest_ = result_.samples.size();
+        }
+        return take(std::move(events));
+    }
+
     double distanceOf(const StandingPose& pose) const {
         const Pose& chassis = pose.bodies[static_cast<std::size_t>(solver_.mechanism().chassis)];
         return sign_ * ahead_.dot(chassis.position - Vec3(request_.from.x, request_.from.y, 0.0));
@@ -186,7 +206,8 @@ class Creep {
         return next;
     }
 
-    /// Whether the same wheels touch with as many places, no body and no stop besides.
+    /// Whether the same wheels touch with as many places, on edges or not, no body and no stop
+    /// besides.
     bool same(const StandingPose& a, const StandingPose& b) const {
         if (b.standing != Standing::Stands || a.bodiesTouching != b.bodiesTouching ||
             a.jointsAtStop != b.jointsAtStop) {
@@ -196,7 +217,7 @@ class Creep {
         const std::vector<Stand> from = standsOf(a, wheels);
         const std::vector<Stand> to = standsOf(b, wheels);
         for (std::size_t i = 0; i < wheels; ++i) {
-            if (from[i].count != to[i].count ||
+            if (from[i].count != to[i].count || from[i].onEdge != to[i].onEdge ||
                 std::abs(from[i].foremost - to[i].foremost) > kJump) {
                 return false;
             }
@@ -232,6 +253,9 @@ class Creep {
             } else if (std::abs(from[i].foremost - to[i].foremost) > kJump) {
                 events.push_back(name + " drops");
             }
+            if (from[i].onEdge != to[i].onEdge) {
+                events.push_back(name + (to[i].onEdge ? " reaches edge" : " leaves edge"));
+            }
         }
         const auto compare = [&](const std::vector<int>& was, const std::vector<int>& is,
                                  const auto& nameOf, const char* begins, const char* ends) {
@@ -259,9 +283,20 @@ class Creep {
 
     PoseSolver& solver_;
     const TraverseRequest& request_;
-    double sign_;
-    Vec3 ahead_;
-    double radius_;
+    const std::function<bool(const TraverseSample&)>& watch_;
+    const double sign_;
+    const Vec3 ahead_;
+    const double radius_;
+    const double longest_;  ///< that a wheel moves between two samples [m]
+    Traverse result_;
+    StandingPose pose_;  ///< the present one
+    double way_ = 0.0;   ///< up to it [m]
+    double step_;        ///< that is tried next [m]
+    double farthest_ = 0.0;
+    double wayAtFarthest_ = 0.0;
+    std::size_t samplesAtFarthest_ = 0;
+    std::size_t blockFirst_ = 0;  ///< sample from which meetsAndLeavesByTurns() counts
+    double blockWay_ = 0.0;
 };
 
 }  // namespace
@@ -282,7 +317,7 @@ std::string toString(TraverseEnd end) {
 
 Traverse traverse(PoseSolver& solver, const TraverseRequest& request,
                   const std::function<bool(const TraverseSample&)>& watch) {
-    return Creep(solver, request).follow(watch);
+    return Creep(solver, request, watch).follow();
 }
 
 std::size_t Traverse::hardest() const {

@@ -26,8 +26,8 @@ struct TraverseSample {
     /// Its energy rises: where it falls the rover goes on by itself, whatever the friction.
     bool climbs = false;
     Study study;
-    /// What happens here, as "front meets", "rear lifts": just before it in one sample, just after
-    /// it in the next, which tells it.
+    /// What happens here, as "front meets", "front reaches edge", "rear lifts": just before it in
+    /// one sample, just after it in the next, which tells it.
     std::vector<std::string> events;
 };
 
@@ -54,8 +54,8 @@ struct Traverse {
 };
 
 /// Follows a rover along its own motion: not over a grid in x, since at a wall its front wheel
-/// climbs while the chassis hardly moves. Wheels that meet, leave, lift or drop are located to 1e-7
-/// m of way.
+/// climbs while the chassis hardly moves. Wheels that meet, leave, lift, drop, reach an edge of the
+/// ground or leave it are located to 1e-7 m of way.
 /// @param watch  is given each sample; false stops
 Traverse traverse(PoseSolver& solver, const TraverseRequest& request,
                   const std::function<bool(const TraverseSample&)>& watch = {});

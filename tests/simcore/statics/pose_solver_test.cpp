@@ -54,15 +54,17 @@ void expectLoadsOf(const run::Snapshot& now, StaticModel& model, const StandingP
     const std::vector<Contact> contacts = rollingAlong(pose);
     dynamics::TreeState state = pose.state;
     model.place(state);
-    const Traction traction(model.equilibrium(contacts, ContactSet::Free, dynamics::kGravity),
-                            mechanism, contacts);
+    const Traction traction(
+        model.equilibrium(contacts, ContactSet::Free, dynamics::kGravity, stopsOf(model, pose)),
+        mechanism, contacts);
     std::vector<double> torques;
     for (const run::WheelState& wheel : now.wheels) {
         torques.push_back(wheel.torqueApplied);
     }
     const Forces forces = traction.under(torques);
-    for (std::size_t w = 0; w < torques.size(); ++w) {
-        EXPECT_NEAR(forces.normal[w], now.wheels[w].normalForce,
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const auto w = static_cast<std::size_t>(contacts[i].wheel);
+        EXPECT_NEAR(forces.normal[i], now.wheels[w].normalForce,
                     share * mechanism.mass() * dynamics::kGravity / 6.0)
             << mechanism.wheels[w].name << " at " << now.time << " s";
     }
@@ -212,6 +214,94 @@ TEST(PoseSolverTest, AgreesWithTheEngineAtRest) {
         if (pose.footholds.size() != run.mechanism.wheels.size()) {
             continue;  // a wheel between floor and wall: how it shares its load is the engine's
         }
+        expectLoadsOf(end, model, pose, 0.01);
+    }
+}
+
+// Lowered over a trench a rover comes to rest with its front in it, however far it falls on the
+// way.
+TEST(PoseSolverTest, ComesToRestInATrench) {
+    StaticModel model(testsupport::mechanismOf("solero"), Model::Built);
+    const terrain::Terrain ground = terrain::Terrain::extruded(
+        {{-20.0, 0.0}, {0.6, 0.0}, {0.6, -0.6}, {0.95, -0.6}, {0.95, 0.0}, {20.0, 0.0}}, -5.0, 5.0);
+    PoseSolver solver(model, ground);
+    int reached = 0;
+    int all = 0;
+    for (double x = 0.2; x < 0.8; x += 0.02) {
+        const StandingPose pose = solver.settle({x, 0.0, 0.0});
+        reached += pose.standing == Standing::Stands || pose.standing == Standing::Tips ? 1 : 0;
+        ++all;
+    }
+    EXPECT_GE(reached, all - 2);
+    EXPECT_EQ(solver.settle({0.3, 0.0, 0.0}).standing, Standing::Stands);
+    const StandingPose hangs = solver.settle({0.72, 0.0, 0.0});
+    EXPECT_EQ(hangs.standing, Standing::Stands);
+}
+
+// Over a hole under one side the middle wheel hangs, its bogie at its stop; the engine is driven
+// there and stops, and statics is given where it stands and the torques of its wheels.
+TEST(PoseSolverTest, AHangingWheelHangsAsInTheEngine) {
+    for (const char* rover : {"rocker_bogie", "rocker_bogie_bar"}) {
+        SCOPED_TRACE(rover);
+        project::Project project = testsupport::shipped(rover);
+        for (project::Joint& joint : project.rover.joints) {
+            if (joint.name == "bogie_pivot") {
+                joint.stops = {
+                    {project::Quantity{-5.0 * kDegree}, project::Quantity{5.0 * kDegree}}};
+            }
+        }
+        for (project::Scenario& scenario : project.scenarios) {
+            scenario.controller.kind = project::ControllerKind::Manual;
+            scenario.soil.rollingResistance = 0.0;
+            if (scenario.name == "flat") {
+                scenario.terrain = {};
+                scenario.terrain.kind = project::TerrainKind::Trench;
+                scenario.terrain.start = 0.6;
+                scenario.terrain.length = 0.3;
+                scenario.terrain.sides = project::Sides::Left;
+                scenario.terrain.height = 2.0;
+            }
+        }
+        run::RunRequest request;
+        request.scenario = "flat";
+        request.engine = project::EngineKind::Reduced;
+        request.duration = 60.0;
+        request.step = 0.001;
+        auto resolved = run::prepareRun(project, request);
+        ASSERT_TRUE(resolved) << toString(resolved.problems());
+        run::Simulation simulation(std::move(resolved).value());
+        constexpr double kDrive = 8.0;  // [s]
+        simulation.setManualCommand({0.1, 0.0});
+        while (simulation.snapshot().time < kDrive) {
+            simulation.step();
+        }
+        simulation.setManualCommand({0.0, 0.0});
+        while (simulation.snapshot().time < kDrive + 8.0) {
+            simulation.step();
+        }
+        const run::ResolvedRun& run = simulation.settings();
+        const run::Snapshot& end = simulation.snapshot();
+        const Pose& chassis = end.bodies[static_cast<std::size_t>(run.mechanism.chassis)];
+        StaticModel model(run.mechanism, Model::Built);
+        PoseSolver solver(model, *run.terrain);
+        const StandingPose pose = solver.settle({chassis.position.x(), chassis.position.y(), 0.0});
+        ASSERT_EQ(pose.standing, Standing::Stands);
+        EXPECT_EQ(pose.jointsAtStop.size(), 1U);
+        const auto hanging = static_cast<std::size_t>(run.mechanism.findWheel("left_middle"));
+        EXPECT_EQ(pose.footholds.size(), run.mechanism.wheels.size() - 1);
+        EXPECT_EQ(end.wheels[hanging].normalForce, 0.0);
+        const auto joints = run.mechanism.encoderJoints();
+        for (std::size_t k = 0; k < joints.size(); ++k) {
+            const mechanism::Joint& joint =
+                run.mechanism.joints[static_cast<std::size_t>(joints[k])];
+            EXPECT_NEAR(mechanism::jointAngle(joint, pose.bodies), end.joints[k].angle,
+                        0.1 * kDegree)
+                << joint.name;
+        }
+        const Study study = studyPose(model, pose, std::nullopt);
+        EXPECT_TRUE(study.feasible);
+        EXPECT_FALSE(study.wheels[hanging].touches);
+        EXPECT_EQ(study.wheels[hanging].normal, 0.0);
         expectLoadsOf(end, model, pose, 0.01);
     }
 }

@@ -60,7 +60,17 @@ TEST(QuadraticProgramTest, FulfilsTheConditionsOfOptimum) {
             program.bounds << bounds, bounds;
         }
         SCOPED_TRACE(seed);
-        expectConditionsOfOptimum(program, minimise(program));
+        const Optimum optimum = minimise(program);
+        expectConditionsOfOptimum(program, optimum);
+        // Wherever it begins.
+        const Eigen::VectorXd guesses[] = {
+            optimum.multipliers, Eigen::VectorXd::Ones(program.bounds.size()),
+            1e6 * Eigen::VectorXd::Unit(program.bounds.size(), program.bounds.size() - 1)};
+        for (const Eigen::VectorXd& guess : guesses) {
+            const Optimum other = minimise(program, guess);
+            expectConditionsOfOptimum(program, other);
+            EXPECT_LT((other.x - optimum.x).cwiseAbs().maxCoeff(), 1e-8) << seed;
+        }
     }
 }
 

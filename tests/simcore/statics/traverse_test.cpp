@@ -64,6 +64,97 @@ TEST(TraverseTest, SoleroMeetsAStepWheelByWheel) {
     EXPECT_GT(at.study.frictionRequired, 0.3);
 }
 
+// A wheel of radius R that meets a step of height h < R meets its edge: its centre is then R - h
+// above the edge and sqrt(R^2 - (R - h)^2) before it, under arccos((R - h) / R). It turns about the
+// edge until its centre is over it. Up a wall higher than R it rolls until its centre is as high as
+// the edge. Down the step all comes in reverse.
+TEST(TraverseTest, EdgesAreReachedAndLeftWhereTheyAre) {
+    const mechanism::Mechanism mechanism = testsupport::mechanismOf("solero");
+    const auto index = static_cast<std::size_t>(mechanism.findWheel("front"));
+    const mechanism::Wheel& wheel = mechanism.wheels[index];
+    const double r = wheel.radius;
+    const auto centerAt = [&](const TraverseSample& sample) {
+        return sample.pose.bodies[static_cast<std::size_t>(wheel.body)] * wheel.center;
+    };
+    // Of the foremost foothold.
+    const auto angleAt = [&](const TraverseSample& sample) {
+        double angle = 0.0;
+        for (const Foothold& foothold : sample.pose.footholds) {
+            if (foothold.contact.wheel == static_cast<int>(index)) {
+                angle = foothold.angle;
+            }
+        }
+        return angle;
+    };
+    for (const double height : {0.02, 0.05, 0.1}) {
+        SCOPED_TRACE(height);
+        const Traverse result = overStep("solero", height);
+        ASSERT_EQ(result.end, TraverseEnd::Arrived);
+        const std::size_t reaches = firstWith(result, "front reaches edge");
+        const std::size_t leaves = firstWith(result, "front leaves edge");
+        ASSERT_LT(reaches, leaves);
+        ASSERT_LT(leaves, result.samples.size());
+        const double angle = height < r ? std::acos((r - height) / r) : 0.5 * std::numbers::pi;
+        // To what counts as touching, which is steep in the angle near the floor.
+        EXPECT_NEAR(angleAt(result.samples[reaches]), angle, 2e-4);
+        EXPECT_NEAR(centerAt(result.samples[reaches]).x(), -r * std::sin(angle), 1e-5);
+        EXPECT_NEAR(centerAt(result.samples[reaches]).z(), std::max(r, height), 1e-5);
+        EXPECT_NEAR(angleAt(result.samples[leaves]), 0.0, 2e-4);
+        EXPECT_NEAR(centerAt(result.samples[leaves]).x(), 0.0, 1e-5);
+        EXPECT_NEAR(centerAt(result.samples[leaves]).z(), height + r, 1e-5);
+        // With a sample just before each.
+        for (const std::size_t at : {reaches, leaves}) {
+            EXPECT_LT(result.samples[at].way - result.samples[at - 1].way, 2e-7);
+        }
+        const bool met = height < r;  // at the edge itself, not at the wall before it
+        EXPECT_EQ(firstWith(result, "front meets") == reaches, met);
+    }
+}
+
+TEST(TraverseTest, DownAStepWheelsTurnAboutItsEdge) {
+    const mechanism::Mechanism mechanism = testsupport::mechanismOf("solero");
+    const mechanism::Wheel& wheel =
+        mechanism.wheels[static_cast<std::size_t>(mechanism.findWheel("front"))];
+    StaticModel model(mechanism, Model::Built);
+    const terrain::Terrain ground = terrain::Terrain::extruded(
+        {{-20.0, 0.05}, {0.0, 0.05}, {0.0, 0.0}, {20.0, 0.0}}, -5.0, 5.0);
+    PoseSolver solver(model, ground);
+    TraverseRequest request;
+    request.from.x = -0.7;
+    request.distance = 1.4;
+    request.study = false;
+    const Traverse result = traverse(solver, request);
+    ASSERT_EQ(result.end, TraverseEnd::Arrived);
+    const auto centerAt = [&](const std::string& event) {
+        const TraverseSample& sample = result.samples.at(firstWith(result, event));
+        return Vec3(sample.pose.bodies[static_cast<std::size_t>(wheel.body)] * wheel.center);
+    };
+    const double r = wheel.radius;
+    EXPECT_NEAR(centerAt("front reaches edge").x(), 0.0, 1e-5);
+    EXPECT_NEAR(centerAt("front meets").x(), std::sqrt(r * r - (r - 0.05) * (r - 0.05)), 1e-5);
+    EXPECT_EQ(firstWith(result, "front leaves edge"), firstWith(result, "front leaves"));
+    EXPECT_GT(firstWith(result, "front leaves edge"), firstWith(result, "front meets"));
+}
+
+// Where the ground turns by less than 20 deg at a time it is one face to a wheel.
+TEST(TraverseTest, ARoundedHillHasNoEdges) {
+    std::vector<Eigen::Vector2d> profile{{-20.0, 0.0}};
+    for (int i = -20; i <= 20; ++i) {
+        profile.emplace_back(0.02 * i, 0.04 * (1.0 + std::cos(std::numbers::pi * i / 20.0)));
+    }
+    profile.emplace_back(20.0, 0.0);
+    StaticModel model(testsupport::mechanismOf("solero"), Model::Built);
+    const terrain::Terrain ground = terrain::Terrain::extruded(profile, -5.0, 5.0);
+    PoseSolver solver(model, ground);
+    TraverseRequest request;
+    request.from.x = -1.0;
+    request.distance = 2.0;
+    request.study = false;
+    const Traverse result = traverse(solver, request);
+    ASSERT_EQ(result.end, TraverseEnd::Arrived);
+    EXPECT_EQ(firstWith(result, "front reaches edge"), result.samples.size());
+}
+
 // At the wall the rover stands as drawn, one wheel against a vertical face: the study of the drawn
 // pose must say the same.
 TEST(TraverseTest, FirstTouchOfAWallIsTheDrawnPoseAtNinetyDegrees) {

@@ -1,0 +1,112 @@
+#include "simcore/statics/quasi_convex.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "simcore/base/random.h"
+
+using namespace simcore;
+using namespace simcore::statics;
+
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kTolerance = 1e-8;
+
+MatrixXd randomMatrix(Random& random, Eigen::Index rows, Eigen::Index cols) {
+    return MatrixXd::NullaryExpr(rows, cols, [&] { return random.uniform(-1.0, 1.0); });
+}
+
+/// Cones of the kind that contacts make, in a box of y.
+QuasiConvexProgram randomProgram(int seed, Eigen::Index n, int cones, Eigen::Index size) {
+    Random random(static_cast<std::uint64_t>(seed));
+    QuasiConvexProgram program;
+    for (int i = 0; i < cones; ++i) {
+        Cone cone;
+        cone.rows = randomMatrix(random, size, n);
+        cone.offsets = 3.0 * randomMatrix(random, size, 1);
+        cone.slope = randomMatrix(random, n, 1);
+        cone.start = random.uniform(0.5, 2.0);
+        program.halfSpaces.push_back({cone.slope, cone.start});
+        program.cones.push_back(cone);
+    }
+    for (Eigen::Index k = 0; k < n; ++k) {
+        program.halfSpaces.push_back({VectorXd::Unit(n, k), 2.0});
+        program.halfSpaces.push_back({-VectorXd::Unit(n, k), 2.0});
+    }
+    return program;
+}
+
+}  // namespace
+
+// Two loads on a beam of weight 2 that pull 1 and 0.5 and may shift their weight: both ratios are
+// alike at the best.
+TEST(QuasiConvexTest, SharesALoad) {
+    QuasiConvexProgram program;
+    program.cones.push_back(
+        {MatrixXd::Zero(1, 1), VectorXd::Constant(1, 1.0), VectorXd::Constant(1, 1.0), 1.0});
+    program.cones.push_back(
+        {MatrixXd::Zero(1, 1), VectorXd::Constant(1, 0.5), VectorXd::Constant(1, -1.0), 1.0});
+    VectorXd y = VectorXd::Zero(1);
+    ASSERT_TRUE(minimise(program, y, kTolerance));
+    EXPECT_NEAR(y[0], 1.0 / 3.0, 1e-9);
+    EXPECT_NEAR(program.reached(y), 0.75, 1e-9);
+    // With a limit in the way, that holds.
+    program.halfSpaces.push_back({VectorXd::Constant(1, -1.0), 0.2});
+    ASSERT_TRUE(minimise(program, y, kTolerance));
+    EXPECT_NEAR(y[0], 0.2, 1e-9);
+}
+
+TEST(QuasiConvexTest, FindsThatNothingIsAllowed) {
+    QuasiConvexProgram program;
+    program.cones.push_back({MatrixXd::Ones(1, 1), VectorXd::Zero(1), VectorXd::Zero(1), 1.0});
+    program.halfSpaces.push_back({VectorXd::Constant(1, 1.0), -1.0});
+    program.halfSpaces.push_back({VectorXd::Constant(1, -1.0), 0.5});
+    VectorXd y = VectorXd::Zero(1);
+    EXPECT_FALSE(minimise(program, y, kTolerance));
+}
+
+// Where no force is needed at all, cones have no slope.
+TEST(QuasiConvexTest, NeedsNothingWhereNothingPulls) {
+    QuasiConvexProgram program;
+    program.cones.push_back(
+        {MatrixXd::Identity(2, 2), VectorXd::Constant(2, 0.3), VectorXd::Zero(2), 1.0});
+    VectorXd y = VectorXd::Constant(2, 5.0);
+    ASSERT_TRUE(minimise(program, y, kTolerance));
+    EXPECT_LE(program.reached(y), kTolerance);
+}
+
+// From any start the same minimum, and nothing better by lot near it or far from it.
+TEST(QuasiConvexTest, NothingIsBetter) {
+    for (int seed = 1; seed <= 60; ++seed) {
+        const QuasiConvexProgram program =
+            randomProgram(seed, 2 + seed % 7, 3 + seed % 5, 1 + seed % 2);
+        const Eigen::Index n = program.cones.front().slope.size();
+        Random random(static_cast<std::uint64_t>(1000 + seed));
+        VectorXd y = VectorXd::Zero(n);
+        ASSERT_TRUE(minimise(program, y, kTolerance)) << seed;
+        const double best = program.reached(y);
+        for (const HalfSpace& half : program.halfSpaces) {
+            EXPECT_GE(half.room(y), -1e-8) << seed;
+        }
+        for (int k = 0; k < 5; ++k) {
+            VectorXd other = 10.0 * randomMatrix(random, n, 1);
+            ASSERT_TRUE(minimise(program, other, kTolerance)) << seed;
+            EXPECT_NEAR(program.reached(other), best, 1e-6 * (1.0 + best)) << seed;
+        }
+        for (int k = 0; k < 2000; ++k) {
+            const double far = std::pow(10.0, random.uniform(-5.0, 0.5));
+            const VectorXd other = y + far * randomMatrix(random, n, 1);
+            bool allowed = true;
+            for (const HalfSpace& half : program.halfSpaces) {
+                allowed = allowed && half.room(other) >= 0.0;
+            }
+            if (allowed) {
+                EXPECT_GE(program.reached(other), best - 1e-7) << seed;
+            }
+        }
+    }
+}
