@@ -306,6 +306,8 @@ void MainWindow::connectParts() {
     connect(files_, &FileCommands::recentFilesChanged, this, &MainWindow::updateRecent);
 
     connect(tree_, &PartsTree::elementSelected, this, &MainWindow::selectElement);
+    connect(tree_, &PartsTree::selectionChanged, mobility_,
+            [this] { mobility_->setSelection(tree_->selection()); });
     connect(tree_, &PartsTree::refused, this, &MainWindow::tell);
     connect(tree_, &PartsTree::message, this, &MainWindow::tell);
     connect(properties_, &PropertyPanel::refused, this, &MainWindow::tell);
@@ -372,10 +374,12 @@ void MainWindow::connectParts() {
         connect(dragEditor_, &DragEditor::elementChosen, this, &MainWindow::selectElement);
         connect(link_, &SceneLink::shownChanged, this,
                 [this] { dragEditor_->setDesignShown(link_->showsDrawnPose()); });
-        connect(viewport_, &Viewport::jointPicked, this,
-                [this](int joint) { selectJoint(nameAt(link_->mechanism().joints, joint)); });
-        connect(viewport_, &Viewport::bodyPicked, this,
-                [this](int body) { selectBody(nameAt(link_->mechanism().bodies, body)); });
+        connect(viewport_, &Viewport::jointPicked, this, [this](int joint, bool more) {
+            selectJoint(nameAt(link_->mechanism().joints, joint), more);
+        });
+        connect(viewport_, &Viewport::bodyPicked, this, [this](int body, bool more) {
+            selectBody(nameAt(link_->mechanism().bodies, body), more);
+        });
         viewport_->setFollow(true);
     }
 }
@@ -557,20 +561,23 @@ void MainWindow::selectInMobility(const std::string& joint) {
     mobility_->selectJoint(mechanism ? mechanism->findJoint(joint) : -1);
 }
 
-void MainWindow::selectJoint(const std::string& joint) {
+void MainWindow::selectJoint(const std::string& joint, bool more) {
     link_->highlightJoint(joint);
     if (joint.empty()) {
         return;
     }
     const ElementRef element =
         simcore::project::findElement(document_->project(), "joint " + joint);
-    tree_->select(element);
+    more ? tree_->toggle(element) : tree_->select(element);
     properties_->setElement(element);
     editors_->setCurrentWidget(properties_);
     selectInMobility(joint);
 }
 
-void MainWindow::selectBody(const std::string& body) {
+void MainWindow::selectBody(const std::string& body, bool more) {
+    if (more && body.empty()) {
+        return;  // a click beside the rover while collecting parts
+    }
     link_->highlightBody(body);
     mobility_->selectJoint(-1);
     if (body.empty()) {
@@ -578,7 +585,7 @@ void MainWindow::selectBody(const std::string& body) {
         return;
     }
     const ElementRef element = simcore::project::findElement(document_->project(), "body " + body);
-    tree_->select(element);
+    more ? tree_->toggle(element) : tree_->select(element);
     properties_->setElement(element);
     editors_->setCurrentWidget(properties_);
 }

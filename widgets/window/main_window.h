@@ -131,9 +131,9 @@ class MainWindow : public QMainWindow {
     void updateIcons();
     void updateRecent();
     void selectElement(simcore::project::ElementRef element);
-    /// Names are those of joints and parts; "" = none.
-    void selectJoint(const std::string& joint);
-    void selectBody(const std::string& body);
+    /// Names are those of joints and parts; "" = none. `more`: beside what is selected already.
+    void selectJoint(const std::string& joint, bool more = false);
+    void selectBody(const std::string& body, bool more = false);
     void selectInMobility(const std::string& joint);
     void setDragging(bool on);
     void setOverlay(bool render::Overlays::*overlay, bool on);
