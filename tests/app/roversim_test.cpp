@@ -656,6 +656,27 @@ TEST_F(RecordedRun, ReplayRunsOnTheEngineOfTheRun) {
 
 TEST_F(RecordedRun, ExportGivesTheTableOfTheRun) {
     ASSERT_EQ(record().code, 0);
+    const Outcome part = roversim("export '" + path("run.roverrec") + "' '" + path("part.csv") +
+                                  "' --channels normal_force,pitch_chassis --from 0.1 --to 0.2");
+    ASSERT_EQ(part.code, 0) << part.err;
+    std::ifstream partTable(path("part.csv"));
+    std::string line;
+    std::getline(partTable, line);
+    EXPECT_THAT(line, testing::StartsWith("time [s],pitch_chassis [rad],normal_force_front [N],"));
+    int partRows = 0;
+    while (std::getline(partTable, line)) {
+        ++partRows;
+    }
+    EXPECT_EQ(partRows, 11);  // every 10 ms, both ends
+    const json cut = json::parse(std::ifstream(path("part.json")));
+    EXPECT_EQ(cut.at("rows"), 11);
+    EXPECT_EQ(cut.at("from"), 0.1);
+    for (const char* wrong : {" --channels wings", " --from 100", " --from 0.3 --to 0.2"}) {
+        const Outcome refused =
+            roversim("export '" + path("run.roverrec") + "' '" + path("no.csv") + "'" + wrong);
+        EXPECT_EQ(refused.code, 1) << wrong;
+        EXPECT_FALSE(std::filesystem::exists(path("no.csv"))) << wrong;
+    }
     const Outcome exported =
         roversim("export '" + path("run.roverrec") + "' '" + path("again.csv") + "'");
     ASSERT_EQ(exported.code, 0) << exported.err;

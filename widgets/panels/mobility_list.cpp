@@ -223,9 +223,11 @@ QList<QTreeWidgetItem*> MobilityList::constraintItems() {
 QList<QTreeWidgetItem*> MobilityList::loopItems() {
     const auto loops = findLoops(mechanism_, report_.model, stance_);
     title_->setText(loops.empty() ? tr("No joints form a loop.")
-                                  : tr("<b>%1 loops</b>, each counted alone with one of its bodies "
-                                       "held")
-                                        .arg(loops.size()));
+                    : loops.size() == 1
+                        ? tr("<b>1 loop</b>, counted alone with one body held")
+                        : tr("<b>%1 loops</b>, each counted alone with one of its bodies "
+                             "held")
+                              .arg(loops.size()));
     title_->setToolTip(
         tr("The shortest independent loops. The ground is one body, a wheel's contact a joint to "
            "it. What is redundant in the whole may be more than in the loops."));

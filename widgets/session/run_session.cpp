@@ -310,13 +310,14 @@ simcore::Result<simcore::io::RunCopy> RunSession::copyRun() const {
     return std::move(*copy);
 }
 
-simcore::Result<bool> RunSession::exportCsv(const QString& file) const {
+simcore::Result<bool> RunSession::exportCsv(const QString& file,
+                                            const simcore::io::TableCut& cut) const {
     if (!hasRun()) {
         return Problem{Severity::Critical, file.toStdString(), "there is no run to write.",
                        "Run a scenario first."};
     }
     return simcore::io::saveCsv(recording(), settings(), report(), origin_,
-                                std::filesystem::path(file.toStdString()));
+                                std::filesystem::path(file.toStdString()), cut);
 }
 
 void RunSession::poll() {

@@ -1515,6 +1515,85 @@
     </message>
 </context>
 <context>
+    <name>widgets::ExportDialog</name>
+    <message>
+        <source>%1 to %2 s</source>
+        <translation>%1 bis %2 s</translation>
+    </message>
+    <message>
+        <source>Export channels as CSV</source>
+        <translation>Kanäle als CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Search channels</source>
+        <translation>Kanäle suchen</translation>
+    </message>
+    <message>
+        <source>Search channels: torque, front, ...</source>
+        <translation>Kanäle suchen: Drehmoment, front, ...</translation>
+    </message>
+    <message>
+        <source>Channels to write</source>
+        <translation>Zu schreibende Kanäle</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Time to write</source>
+        <translation>Zu schreibende Zeit</translation>
+    </message>
+    <message>
+        <source>Visible: %1</source>
+        <translation>Sichtbar: %1</translation>
+    </message>
+    <message>
+        <source>Between the cursors: %1</source>
+        <translation>Zwischen den Marken: %1</translation>
+    </message>
+    <message>
+        <source>Between the cursors (mark one with Shift and a click)</source>
+        <translation>Zwischen den Marken (eine mit Umschalt und Klick setzen)</translation>
+    </message>
+    <message>
+        <source>Whole run: %1</source>
+        <translation>Ganze Fahrt: %1</translation>
+    </message>
+    <message>
+        <source>Tick all shown</source>
+        <translation>Alle gezeigten ankreuzen</translation>
+    </message>
+    <message>
+        <source>Untick all shown</source>
+        <translation>Alle gezeigten abwählen</translation>
+    </message>
+    <message>
+        <source>Write...</source>
+        <translation>Schreiben ...</translation>
+    </message>
+    <message>
+        <source>Tick at least one channel.</source>
+        <translation>Mindestens einen Kanal ankreuzen.</translation>
+    </message>
+    <message>
+        <source>No recorded instant lies in this time.</source>
+        <translation>In dieser Zeit liegt kein aufgezeichneter Zeitpunkt.</translation>
+    </message>
+    <message>
+        <source>%1 columns with the time, %2 rows</source>
+        <translation>%1 Spalten mit der Zeit, %2 Zeilen</translation>
+    </message>
+</context>
+<context>
     <name>widgets::FileCommands</name>
     <message>
         <source>RoverStudio projects (*.rover);;All files (*)</source>
@@ -2460,6 +2539,14 @@
         <source>Save film</source>
         <translation>Film speichern</translation>
     </message>
+    <message>
+        <source>&amp;Channels as CSV...</source>
+        <translation>&amp;Kanäle als CSV ...</translation>
+    </message>
+    <message>
+        <source>Write chosen channels of the visible time, or all of it, as a table</source>
+        <translation>Gewählte Kanäle der sichtbaren oder der ganzen Zeit als Tabelle schreiben</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MassPanel</name>
@@ -2601,6 +2688,10 @@
     <message>
         <source>&lt;b&gt;%1 removable&lt;/b&gt;, %2 of them together</source>
         <translation>&lt;b&gt;%1 entbehrlich&lt;/b&gt;, davon %2 zugleich</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;1 loop&lt;/b&gt;, counted alone with one body held</source>
+        <translation>&lt;b&gt;1 Schleife&lt;/b&gt;, für sich gezählt, ein Körper gehalten</translation>
     </message>
 </context>
 <context>

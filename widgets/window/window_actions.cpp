@@ -82,6 +82,9 @@ void MainWindow::makeFileActions() {
                   [this] { recordings_->save(); });
     actions_->add("exportCsv", tr("Run as &CSV..."), {QKeySequence("Ctrl+E")},
                   tr("Write the recorded run as a table"), [this] { plots_->exportCsv(); });
+    actions_->add("exportChannels", tr("&Channels as CSV..."), {QKeySequence("Ctrl+Alt+E")},
+                  tr("Write chosen channels of the visible time, or all of it, as a table"),
+                  [this] { plots_->exportChannels(); });
     actions_->add("exportPlots", tr("&Plots as picture..."), {},
                   tr("Save the plots as PNG, SVG or PDF"), [this] { plots_->exportPicture(); });
     actions_->add("copyPlots", tr("Copy pl&ots"), {QKeySequence("Ctrl+Shift+P")},
@@ -353,7 +356,7 @@ void MainWindow::makeMenus() {
     file->addSeparator();
     fill(file, {"save", "saveAs", "saveRecording", ""});
     QMenu* exports = file->addMenu(tr("&Export"));
-    fill(exports, {"exportCsv", "exportPlots", "screenshot", "exportFilm"});
+    fill(exports, {"exportCsv", "exportChannels", "exportPlots", "screenshot", "exportFilm"});
     fill(file, {"", "quit"});
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     fill(edit,
