@@ -243,6 +243,12 @@ RecordedRun RunSession::freeze() const {
     run.origin = origin_;
     run.store = store_;
     run.last = live_;
+    if (recorded_) {
+        run.file = recorded_->file;
+        run.copy = recorded_->copy;
+    } else if (auto copy = copyRun()) {
+        run.copy = std::make_shared<simcore::io::RunCopy>(std::move(copy).value());
+    }
     return run;
 }
 
@@ -299,6 +305,12 @@ simcore::run::RunReport RunSession::report() const {
 simcore::Result<simcore::io::RunCopy> RunSession::copyRun() const {
     if (worker_ && !whyNoRecorder_.empty()) {
         return whyNoRecorder_;
+    }
+    if (recorded_ && recorded_->copy) {
+        return *recorded_->copy;
+    }
+    if (recorded_ && !recorded_->file.empty()) {
+        return simcore::io::RunCopy::ofRecording(recorded_->file);
     }
     if (recorder_ == nullptr) {
         return Problem{Severity::Critical, "recording", "there is no run to save.",

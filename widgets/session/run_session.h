@@ -95,7 +95,7 @@ class RunSession : public QObject {
 
     const simcore::io::RecordingOrigin& origin() const { return origin_; }
 
-    /// The run so far, as one to be looked at only; its project stays empty. Call only when
+    /// The run so far, as one to be looked at or saved; its project stays empty. Call only when
     /// hasRun().
     RecordedRun freeze() const;
 

@@ -1436,6 +1436,22 @@
         <source>failed</source>
         <translation>gescheitert</translation>
     </message>
+    <message>
+        <source>Add...</source>
+        <translation>Hinzufügen ...</translation>
+    </message>
+    <message>
+        <source>Hold a recording beside these runs; the project stays</source>
+        <translation>Eine Aufzeichnung neben diese Fahrten stellen; das Projekt bleibt</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Speichern ...</translation>
+    </message>
+    <message>
+        <source>Save the selected run as a recording</source>
+        <translation>Die gewählte Fahrt als Aufzeichnung speichern</translation>
+    </message>
 </context>
 <context>
     <name>widgets::Document</name>
@@ -2547,6 +2563,14 @@
         <source>Write chosen channels of the visible time, or all of it, as a table</source>
         <translation>Gewählte Kanäle der sichtbaren oder der ganzen Zeit als Tabelle schreiben</translation>
     </message>
+    <message>
+        <source>Add recordin&amp;g to compare...</source>
+        <translation>Auf&amp;zeichnung zum Vergleich hinzufügen ...</translation>
+    </message>
+    <message>
+        <source>Hold a recording beside the run on show; the project stays</source>
+        <translation>Eine Aufzeichnung neben die gezeigte Fahrt stellen; das Projekt bleibt</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MassPanel</name>
@@ -3620,6 +3644,10 @@ oder in der 3-D-Ansicht auswählen.</translation>
     <message>
         <source>It was recorded with version %1, this is %2.</source>
         <translation>Aufgezeichnet wurde sie mit Version %1, dies ist %2.</translation>
+    </message>
+    <message>
+        <source>Add recording to compare</source>
+        <translation>Aufzeichnung zum Vergleich hinzufügen</translation>
     </message>
 </context>
 <context>

@@ -340,6 +340,14 @@ void MainWindow::connectParts() {
     connect(compare_, &ComparePanel::startRequested, this, &MainWindow::runExperiment);
     connect(compare_, &ComparePanel::keepRequested, this,
             [this] { library_->keep(*session_, document_->project()); });
+    connect(compare_, &ComparePanel::addRequested, actions_->at("addRecording"), &QAction::trigger);
+    connect(compare_, &ComparePanel::saveRequested, recordings_,
+            qOverload<const RunSession&>(&RecordingCommands::save));
+    connect(recordings_, &RecordingCommands::added, this,
+            [this](const std::shared_ptr<RecordedRun>& run) {
+                library_->hold(std::move(*run), document_->project());
+                showPanel("compare");
+            });
     connect(document_, &Document::changed, library_,
             [this] { library_->setProject(document_->project()); });
     connect(document_, &Document::replaced, library_, &RunLibrary::clear);

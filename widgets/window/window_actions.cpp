@@ -290,6 +290,9 @@ void MainWindow::makeRunActions() {
                       library_->keep(*session_, document_->project());
                       showPanel("compare");
                   });
+    actions_->add("addRecording", tr("Add recordin&g to compare..."), {QKeySequence("Ctrl+Alt+K")},
+                  tr("Hold a recording beside the run on show; the project stays"),
+                  [this] { recordings_->add(); });
     actions_->add("experiment", tr("Run two &controllers"), {QKeySequence("Ctrl+Shift+K")},
                   tr("Drive the scenario with the chosen controller and its rival, side by side"),
                   [this] {
@@ -377,8 +380,8 @@ void MainWindow::makeMenus() {
     view->addMenu(languageMenu_);
     fill(view, {"resetLayout", "fullScreen"});
     fill(menuBar()->addMenu(tr("&Run")),
-         {"playPause", "step", "stepBack", "live", "reset", "runAgain", "", "keepRun", "experiment",
-          "", "faster", "slower", "", "showDesign"});
+         {"playPause", "step", "stepBack", "live", "reset", "runAgain", "", "keepRun",
+          "addRecording", "experiment", "", "faster", "slower", "", "showDesign"});
     fill(menuBar()->addMenu(tr("&Analyze")), {"showMobility", "advise", "showMotions", "showGraph",
                                               "showStatics", "showCompare", "showProblems"});
     fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "system", "", "about"});
