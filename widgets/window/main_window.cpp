@@ -41,6 +41,7 @@
 #include "widgets/session/run_bar.h"
 #include "widgets/session/run_library.h"
 #include "widgets/session/statics_session.h"
+#include "widgets/session/way_reviewer.h"
 #include "widgets/window/action_registry.h"
 #include "widgets/window/drag_editor.h"
 #include "widgets/window/file_commands.h"
@@ -84,6 +85,7 @@ MainWindow::MainWindow()
       library_(new RunLibrary(this)),
       experiment_(new Experiment(session_, library_, this)),
       statics_(new StaticsSession(this)),
+      ways_(new WayReviewer(this)),
       scene_(std::make_shared<render::Scene>()),
       actions_(new ActionRegistry(this)),
       files_(new FileCommands(document_, this)),
@@ -114,6 +116,7 @@ MainWindow::MainWindow()
 MainWindow::~MainWindow() {
     // Closing hides the panel: its pose must not leave a picture that is gone.
     statics_->setActive(false);
+    ways_->setActive(false);
     mobility_->motions().stop();
     disconnect(mobility_, nullptr, this, nullptr);
     // The scene's graphics objects go while the viewport still has its context.
@@ -353,6 +356,9 @@ void MainWindow::connectParts() {
     connect(document_, &Document::replaced, library_, &RunLibrary::clear);
     connect(staticsDock_, &QDockWidget::visibilityChanged, statics_, &StaticsSession::setActive);
     connect(statics_, &StaticsSession::shownChanged, this, &MainWindow::showStatics);
+    connect(problemsDock_, &QDockWidget::visibilityChanged, ways_, &WayReviewer::setActive);
+    connect(ways_, &WayReviewer::findingsChanged, problems_,
+            [this] { problems_->setMoreFindings(ways_->findings()); });
     const auto updateForRun = [this] {
         const bool recorded = session_->recorded() != nullptr;
         actions_->at("saveRecording")->setEnabled(session_->hasRun() && !recorded);
@@ -441,6 +447,7 @@ void MainWindow::onProjectChanged() {
     } else if (session_->hasRun()) {
         session_->setStale(true);
     }
+    ways_->setSubject(document_->project(), document_->files());
     updateController();
     updateStatics();
     updateStatus();

@@ -38,6 +38,7 @@ class RunLibrary;
 class SceneLink;
 class StaticsPanel;
 class StaticsSession;
+class WayReviewer;
 
 /// The studio: editors on the left, the 3D view in the middle, what follows from the design on the
 /// right, run and plots at the bottom.
@@ -156,6 +157,7 @@ class MainWindow : public QMainWindow {
     RunLibrary* library_;
     Experiment* experiment_;
     StaticsSession* statics_;
+    WayReviewer* ways_;
     std::shared_ptr<render::Scene> scene_;
     ActionRegistry* actions_;
     FileCommands* files_;
