@@ -225,6 +225,33 @@ TEST_F(CompareTest, CurvesOfKeptRunsCanBeShownAndHidden) {
     EXPECT_TRUE(plot()->graph(7)->visible());
 }
 
+// Of any time window, with blocks of points begun and ended anywhere: by looking at every point.
+TEST_F(CompareTest, TheValueAxisFitsTheVisibleCurvesOfAllRuns) {
+    ASSERT_TRUE(driveToTheEnd());
+    press(Qt::Key_K, Qt::ControlModifier);
+    window->plots().setQuantity(0, "torque_applied");
+    window->plots().setWheelShown(0, false);
+    for (const auto& [from, to] :
+         {std::pair(0.0, 1.5), std::pair(0.013, 1.49), std::pair(0.2, 0.4), std::pair(1.28, 1.3)}) {
+        plot()->xAxis->setRange(from, to);
+        const QCPRange seen = plot()->xAxis->range();
+        double least = 0.0, most = 0.0;  // zero is always shown
+        for (int i = 0; i < plot()->graphCount(); ++i) {
+            for (const auto& point : *plot()->graph(i)->data()) {
+                if (plot()->graph(i)->visible() && seen.contains(point.key)) {
+                    least = std::min(least, point.value);
+                    most = std::max(most, point.value);
+                }
+            }
+        }
+        const double size = std::max(most - least, 0.5);
+        EXPECT_NEAR(plot()->yAxis->range().upper, least + size + 0.06 * size, 1e-9) << from;
+        EXPECT_NEAR(plot()->yAxis->range().lower, least < 0.0 ? least - 0.06 * size : -0.03 * size,
+                    1e-9)
+            << from;
+    }
+}
+
 TEST_F(CompareTest, QuantitiesOfTheChassisAreOneCurveARun) {
     ASSERT_TRUE(driveToTheEnd());
     press(Qt::Key_K, Qt::ControlModifier);
