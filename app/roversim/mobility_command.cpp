@@ -8,6 +8,7 @@
 #include "app/roversim/commands.h"
 #include "simcore/io/json_format.h"
 #include "simcore/io/mobility_json.h"
+#include "simcore/mobility/selection.h"
 #include "simcore/mobility/study.h"
 
 namespace roversim {
@@ -21,6 +22,7 @@ struct MobilityOptions {
     std::string model;
     std::string steering;
     std::vector<std::string> set;
+    std::vector<std::string> parts;
     bool json = false;
 };
 
@@ -78,15 +80,21 @@ void printLoops(const std::vector<mobility::Loop>& loops) {
     }
 }
 
-void printReactions(const std::vector<mobility::ReactionDeterminacy>& reactions) {
-    fmt::print("  Reactions determined by the loads:\n");
-    for (const mobility::ReactionDeterminacy& reaction : reactions) {
-        fmt::print("    {:<28} {} of {}\n", reaction.element, reaction.determined.size(),
-                   reaction.components);
+void printReactions(const mobility::Study& study) {
+    const auto shares = mobility::shareByElement(study.present);
+    fmt::print("  {}\n", mobility::describe(study.reactions));
+    fmt::print("  Reactions determined by the loads, and part of the self-stress:\n");
+    for (const mobility::ReactionDeterminacy& reaction : study.reactions) {
+        const auto share = std::find_if(shares.begin(), shares.end(), [&](const auto& one) {
+            return one.element == reaction.element;
+        });
+        fmt::print("    {:<28} {} of {}{:>8.1f} %\n", reaction.element, reaction.determined.size(),
+                   reaction.components, share == shares.end() ? 0.0 : 100.0 * share->part);
     }
 }
 
-void printTable(const std::string& rover, const std::vector<mobility::Study>& studies) {
+void printTable(const std::string& rover, const std::vector<mobility::Study>& studies,
+                const mobility::Part* part) {
     using R = mobility::Report;
     std::vector<R> reports;
     reports.reserve(studies.size());
@@ -107,8 +115,9 @@ void printTable(const std::string& rover, const std::vector<mobility::Study>& st
     printLine("redundant", reports, [](const R& r) { return r.redundant; });
     for (const mobility::Study& study : studies) {
         const R& report = study.present;
-        fmt::print("\n{}: {}\n", report.model == mobility::Model::Built ? "As built" : "Relaxed",
-                   mobility::describe(report));
+        fmt::print(
+            "\n{}: {}\n", report.model == mobility::Model::Built ? "As built" : "Relaxed",
+            part == nullptr ? mobility::describe(report) : mobility::describe(*part, report));
         if (!report.redundantSet.empty()) {
             fmt::print("  Any of {} constraints could go; for example this set of {}:\n",
                        report.removable.size(), report.redundant);
@@ -122,7 +131,7 @@ void printTable(const std::string& rover, const std::vector<mobility::Study>& st
         }
         printMoved(study);
         printLoops(study.loops);
-        printReactions(study.reactions);
+        printReactions(study);
     }
 }
 
@@ -135,6 +144,27 @@ std::optional<mobility::Report> withSteeringFreed(
         return std::nullopt;
     }
     return mobility::analyse(*mechanism, mobility::Model::Built);
+}
+
+std::vector<std::string> namesOf(const mobility::Part& part) {
+    std::vector<std::string> names;
+    for (const mechanism::Body& body : part.mechanism.bodies) {
+        names.push_back(body.name);
+    }
+    return names;
+}
+
+std::string partTitle(const std::string& rover, const mobility::Part& part) {
+    return fmt::format("{}: {}", rover, joined(namesOf(part)));
+}
+
+nlohmann::ordered_json partJson(const mobility::Part& part) {
+    return {{"bodies", namesOf(part)}, {"held", part.heldBodies()}, {"pieces", part.pieces}};
+}
+
+Problem nothingJoins() {
+    return {Severity::Critical, "--part", "no joint connects what is named.",
+            "Name two bodies that a joint connects, a joint, or a wheel."};
 }
 
 int mobilityOf(const MobilityOptions& options) {
@@ -153,19 +183,37 @@ int mobilityOf(const MobilityOptions& options) {
     if (!mechanism) {
         return kAnswerIsNo;
     }
+    std::optional<mobility::Part> part;
+    if (!options.parts.empty()) {
+        const auto selection = mobility::selectionOf(*project, *mechanism, options.parts);
+        printProblems(options.file, selection.problems());
+        if (!selection) {
+            return kAnswerIsNo;
+        }
+        part = mobility::partOf(*mechanism, mobility::drawnStance(*mechanism), *selection);
+        if (part->constraints == 0) {
+            printProblems(options.file, {nothingJoins()});
+            return kAnswerIsNo;
+        }
+    }
+    const auto studyOf = [&](mobility::Model model) {
+        return part ? mobility::study(part->mechanism, model, part->stance)
+                    : mobility::study(*mechanism, model);
+    };
     std::vector<mobility::Study> studies;
     if (options.model != "relaxed") {
-        studies.push_back(mobility::study(*mechanism, mobility::Model::Built));
+        studies.push_back(studyOf(mobility::Model::Built));
     }
     if (options.model != "built") {
-        studies.push_back(mobility::study(*mechanism, mobility::Model::Relaxed));
+        studies.push_back(studyOf(mobility::Model::Relaxed));
     }
     std::optional<mobility::Report> freed;
-    if (options.steering != "free") {
+    if (options.steering != "free" && !part) {
         freed = withSteeringFreed(*project, *assignments);
     }
     if (!options.json) {
-        printTable(mechanism->name, studies);
+        printTable(part ? partTitle(mechanism->name, *part) : mechanism->name, studies,
+                   part ? &*part : nullptr);
         if (freed) {
             fmt::print(
                 "\nWith steering freed, as built, the Grübler count is {}: --steering free "
@@ -176,6 +224,9 @@ int mobilityOf(const MobilityOptions& options) {
     }
     auto document = io::jsonDocument("roverstudio-mobility-1");
     document["rover"] = mechanism->name;
+    if (part) {
+        document["part"] = partJson(*part);
+    }
     if (studies.size() == 1) {
         document.update(io::toJson(studies.front()));
     } else {
@@ -201,6 +252,11 @@ void addMobilityCommand(CLI::App& app, int& exitCode) {
     command->add_option("--steering", options->steering, "locked (default) or free joints")
         ->check(CLI::IsMember({"locked", "free"}));
     command->add_option("--set", options->set, "NAME=VALUE, set a parameter (may be repeated)")
+        ->allow_extra_args(false);
+    command
+        ->add_option(
+            "--part", options->parts,
+            "Body, joint or wheel: only these and the joints between them (may be repeated)")
         ->allow_extra_args(false);
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options, &exitCode] { exitCode = mobilityOf(*options); });

@@ -12,6 +12,7 @@
 #include "simcore/mobility/mobility.h"
 #include "simcore/project/resolve.h"
 #include "simcore/review/review.h"
+#include "simcore/review/way_review.h"
 #include "simcore/run/simulation.h"
 
 namespace roversim {
@@ -87,7 +88,7 @@ std::vector<review::Finding> findingsOf(const project::Project& project) {
                           mobility::analyse(*mechanism, mobility::Model::Relaxed));
 }
 
-int validateFile(const std::string& file, bool json) {
+int validateFile(const std::string& file, bool climb, bool json) {
     auto loaded = io::loadProject(file);
     Problems problems = loaded.problems();
     std::vector<review::Finding> findings;
@@ -95,6 +96,11 @@ int validateFile(const std::string& file, bool json) {
         const Problems more = everythingWrong(*loaded, std::filesystem::path(file).parent_path());
         problems.insert(problems.end(), more.begin(), more.end());
         findings = findingsOf(*loaded);
+        const auto folder = std::filesystem::path(file).parent_path();
+        for (std::size_t i = 0; climb && i < loaded->scenarios.size(); ++i) {
+            const auto ways = review::reviewWay(*loaded, loaded->scenarios[i].name, folder);
+            findings.insert(findings.end(), ways.begin(), ways.end());
+        }
     }
     const bool bad = hasCritical(problems);
     if (json) {
@@ -130,15 +136,20 @@ int validateFile(const std::string& file, bool json) {
 void addValidateCommand(CLI::App& app, int& exitCode) {
     struct Options {
         std::string file;
+        bool climb = false;
         bool json = false;
     };
 
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("validate", "List everything wrong with a project");
     command->add_option("FILE", options->file, "Project file (.rover)")->required();
+    command->add_flag("--climb", options->climb,
+                      "Also whether friction and motors suffice for steps, stairs and rough ground "
+                      "(a second each)");
     command->add_flag("--json", options->json, "Print JSON");
-    command->callback(
-        [options, &exitCode] { exitCode = validateFile(options->file, options->json); });
+    command->callback([options, &exitCode] {
+        exitCode = validateFile(options->file, options->climb, options->json);
+    });
 }
 
 void addConvertCommand(CLI::App& app, int& exitCode) {

@@ -67,13 +67,19 @@ int replay(const ReplayOptions& options) {
     return result.same() ? kGood : kAnswerIsNo;
 }
 
-int exportRecording(const std::string& file, const std::string& csv) {
-    const auto recording = openOrComplain(file);
+struct ExportOptions {
+    std::string file;
+    std::string csv;
+    io::TableCut cut;
+};
+
+int exportRecording(const ExportOptions& options) {
+    const auto recording = openOrComplain(options.file);
     if (!recording) {
         return kAnswerIsNo;
     }
-    const auto saved = io::exportCsv(*recording, file, csv);
-    printProblems(csv, saved.problems());
+    const auto saved = io::exportCsv(*recording, options.file, options.csv, options.cut);
+    printProblems(options.csv, saved.problems());
     return saved ? kGood : kAnswerIsNo;
 }
 
@@ -89,17 +95,17 @@ void addReplayCommand(CLI::App& app, int& exitCode) {
 }
 
 void addExportCommand(CLI::App& app, int& exitCode) {
-    struct Options {
-        std::string file;
-        std::string csv;
-    };
-
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExportOptions>();
     CLI::App* command = app.add_subcommand("export", "Write a recording as CSV");
     command->add_option("FILE", options->file, "Recording (.roverrec)")->required();
     command->add_option("CSV", options->csv, "File to write")->required();
-    command->callback(
-        [options, &exitCode] { exitCode = exportRecording(options->file, options->csv); });
+    command
+        ->add_option("--channels", options->cut.channels,
+                     "Names separated by commas: slip_abs_front, or slip_abs of all wheels")
+        ->delimiter(',');
+    command->add_option("--from", options->cut.from, "Time of the first row [s]");
+    command->add_option("--to", options->cut.to, "Time of the last row [s]");
+    command->callback([options, &exitCode] { exitCode = exportRecording(*options); });
 }
 
 }  // namespace roversim

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "simcore/base/version.h"
@@ -124,7 +125,95 @@ Json metadata(const std::vector<run::Channel>& channels, std::size_t rows,
     return json;
 }
 
+/// Rows of a recorded table that lie in the times of a cut, with the columns chosen.
+class Cutter {
+  public:
+    Cutter(const TableCut& cut, std::vector<std::size_t> columns)
+        : columns_(std::move(columns)),
+          from_(cut.from.value_or(-kForever) - kTolerance),
+          to_(cut.to.value_or(kForever) + kTolerance) {}
+
+    std::vector<std::vector<double>> take(const std::vector<std::vector<double>>& rows) {
+        std::vector<std::vector<double>> taken;
+        for (const std::vector<double>& row : rows) {
+            if (row.empty() || row.front() < from_ || row.front() > to_) {
+                continue;
+            }
+            auto& next = taken.emplace_back();
+            next.reserve(columns_.size());
+            for (const std::size_t column : columns_) {
+                next.push_back(row.at(column));
+            }
+        }
+        count_ += taken.size();
+        return taken;
+    }
+
+    std::size_t count() const { return count_; }
+
+    std::vector<run::Channel> channels(const std::vector<run::Channel>& all) const {
+        std::vector<run::Channel> chosen;
+        for (const std::size_t column : columns_) {
+            chosen.push_back(all[column]);
+        }
+        return chosen;
+    }
+
+  private:
+    static constexpr double kForever = std::numeric_limits<double>::infinity();
+    /// Times are multiples of a step, with round-off [s].
+    static constexpr double kTolerance = 1e-9;
+
+    std::vector<std::size_t> columns_;
+    double from_, to_;
+    std::size_t count_ = 0;
+};
+
+Problem noRows(const std::filesystem::path& file) {
+    return {Severity::Critical, file.string(), "no recorded instant lies in these times.",
+            "Choose times between the start and the end of the run."};
+}
+
+/// What the metadata say of a cut; nothing when it leaves all times.
+void tellCut(const TableCut& cut, Json& json) {
+    if (cut.from || cut.to) {
+        json["from"] = cut.from ? Json(*cut.from) : Json(nullptr);
+        json["to"] = cut.to ? Json(*cut.to) : Json(nullptr);
+    }
+}
+
 }  // namespace
+
+Result<std::vector<std::size_t>> chosenChannels(const std::vector<run::Channel>& channels,
+                                                const std::vector<std::string>& names) {
+    std::vector<bool> chosen(channels.size(), names.empty());
+    Problems problems;
+    for (const std::string& name : names) {
+        bool found = false;
+        for (std::size_t i = 0; i < channels.size(); ++i) {
+            const run::Channel& channel = channels[i];
+            if (name == channel.id() || name == channel.quantity || name == channel.column()) {
+                chosen[i] = true;
+                found = true;
+            }
+        }
+        if (!found) {
+            problems.push_back({Severity::Critical, "channel " + name,
+                                "the run has no channel of this name.",
+                                "roversim channels FILE lists those of a rover."});
+        }
+    }
+    if (!problems.empty()) {
+        return problems;
+    }
+    std::vector<std::size_t> positions;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        if (chosen[i] || i == 0) {
+            positions.push_back(i);
+        }
+    }
+    return positions;
+}
 
 RecordingOrigin originOf(const project::Project& project, const run::RunRequest& request,
                          const std::string& projectFile) {
@@ -160,7 +249,7 @@ std::string formatCsvMetadata(const run::Recording& recording, const run::Resolv
 }
 
 Result<bool> exportCsv(RecordingReader& recording, const std::string& recordingFile,
-                       const std::filesystem::path& file) {
+                       const std::filesystem::path& file, const TableCut& cut) {
     const RecordingHeader& header = recording.header();
     const auto project = parseProject(header.projectText, recordingFile + " (its project)");
     if (!project) {
@@ -170,9 +259,15 @@ Result<bool> exportCsv(RecordingReader& recording, const std::string& recordingF
     if (!settings) {
         return settings.problems();
     }
+    const auto columns = chosenChannels(header.channels, cut.channels);
+    if (!columns) {
+        return columns.problems();
+    }
+    Cutter cutter(cut, *columns);
+    const std::vector<run::Channel> channels = cutter.channels(header.channels);
     AtomicFile table(file);
     std::string text;
-    appendHeader(header.channels, text);
+    appendHeader(channels, text);
     table.write(text);
     for (std::size_t block = 0; block < recording.rowBlockCount(); ++block) {
         const auto rows = recording.rowBlock(block);
@@ -180,8 +275,11 @@ Result<bool> exportCsv(RecordingReader& recording, const std::string& recordingF
             return rows.problems();
         }
         text.clear();
-        appendRows(header.channels.size(), *rows, text);
+        appendRows(channels.size(), cutter.take(*rows), text);
         table.write(text);
+    }
+    if (cutter.count() == 0 && (cut.from || cut.to)) {
+        return noRows(file);
     }
     if (auto written = table.commit(); !written) {
         return written;
@@ -195,10 +293,10 @@ Result<bool> exportCsv(RecordingReader& recording, const std::string& recordingF
     }
     const std::string hash =
         recording.marks().empty() ? std::string() : recording.marks().back().stateHash;
-    return writeFileAtomically(
-        csvMetadataFile(file),
-        formatJson(metadata(header.channels, recording.rowCount(), *settings, header.engine, hash,
-                            origin, std::move(report))));
+    Json json = metadata(channels, cutter.count(), *settings, header.engine, hash, origin,
+                         std::move(report));
+    tellCut(cut, json);
+    return writeFileAtomically(csvMetadataFile(file), formatJson(json));
 }
 
 std::filesystem::path csvMetadataFile(const std::filesystem::path& csvFile) {
@@ -210,13 +308,25 @@ std::filesystem::path csvMetadataFile(const std::filesystem::path& csvFile) {
 
 Result<bool> saveCsv(const run::Recording& recording, const run::ResolvedRun& settings,
                      const run::RunReport& report, const RecordingOrigin& origin,
-                     const std::filesystem::path& file) {
-    Result<bool> table = writeFileAtomically(file, formatCsv(recording.channels, recording.rows));
+                     const std::filesystem::path& file, const TableCut& cut) {
+    const auto columns = chosenChannels(recording.channels, cut.channels);
+    if (!columns) {
+        return columns.problems();
+    }
+    Cutter cutter(cut, *columns);
+    const std::vector<run::Channel> channels = cutter.channels(recording.channels);
+    const auto rows = cutter.take(recording.rows);
+    if (rows.empty() && (cut.from || cut.to)) {
+        return noRows(file);
+    }
+    Result<bool> table = writeFileAtomically(file, formatCsv(channels, rows));
     if (!table) {
         return table;
     }
-    return writeFileAtomically(csvMetadataFile(file),
-                               formatCsvMetadata(recording, settings, report, origin));
+    Json json = metadata(channels, rows.size(), settings, report.engine, report.stateHash, origin,
+                         toJson(report));
+    tellCut(cut, json);
+    return writeFileAtomically(csvMetadataFile(file), formatJson(json));
 }
 
 }  // namespace simcore::io

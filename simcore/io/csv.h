@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,17 +37,32 @@ std::string formatCsv(const std::vector<run::Channel>& channels,
 std::string formatCsvMetadata(const run::Recording& recording, const run::ResolvedRun& settings,
                               const run::RunReport& report, const RecordingOrigin& origin);
 
+/// Part of a recording for a table.
+struct TableCut {
+    /// Names of channels: "slip_abs_front" is one, "slip_abs" the quantity of all objects; empty:
+    /// all. Time always comes first, the others in the order of the recording.
+    std::vector<std::string> channels;
+    /// Rows from and to these times [s], both included; nothing: from the start, to the end.
+    std::optional<double> from, to;
+};
+
+/// Positions of the channels that the names mean, ascending, time first. Problems: for every name
+/// that none has.
+Result<std::vector<std::size_t>> chosenChannels(const std::vector<run::Channel>& channels,
+                                                const std::vector<std::string>& names);
+
 /// Writes the table of a recording file and its metadata, block by block: a recording may be larger
-/// than the memory.
+/// than the memory. Problems also when `cut` names unknown channels or no row lies in its times.
 Result<bool> exportCsv(RecordingReader& recording, const std::string& recordingFile,
-                       const std::filesystem::path& file);
+                       const std::filesystem::path& file, const TableCut& cut = {});
 
 /// Where the metadata of a table goes: "out.csv" -> "out.json".
 std::filesystem::path csvMetadataFile(const std::filesystem::path& csvFile);
 
-/// Writes the table and its metadata, each first to a temporary file and then renamed.
+/// Writes the table and its metadata, each first to a temporary file and then renamed. Problems
+/// also as exportCsv() has them.
 Result<bool> saveCsv(const run::Recording& recording, const run::ResolvedRun& settings,
                      const run::RunReport& report, const RecordingOrigin& origin,
-                     const std::filesystem::path& file);
+                     const std::filesystem::path& file, const TableCut& cut = {});
 
 }  // namespace simcore::io

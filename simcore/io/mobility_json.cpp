@@ -4,6 +4,7 @@
 
 #include "simcore/base/version.h"
 #include "simcore/io/json_format.h"
+#include "simcore/mobility/selection.h"
 #include "simcore/project/names.h"
 
 namespace simcore::io {
@@ -207,6 +208,12 @@ nlohmann::ordered_json toJson(const mobility::Report& report) {
     json["rank_gap"] = numberOrNull(report.rankGap);
     json["verdict"] = mobility::describe(report);
     json["removable_constraints"] = toJson(report.removable);
+    Json shares = Json::array();
+    for (const mobility::ElementShare& share : mobility::shareByElement(report)) {
+        shares.push_back(
+            {{"element", share.element}, {"share", share.share}, {"part", share.part}});
+    }
+    json["self_stress"] = shares;
     json["redundant_set"] = toJson(report.redundantSet);
     Json idle = Json::array();
     for (const mobility::IdleFreedom& freedom : report.idle) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <optional>
 
 #include <fmt/format.h>
@@ -77,12 +78,49 @@ class PrivateFile {
 Result<bool> RunCopy::save(const std::filesystem::path& file,
                            const std::function<bool(double)>& goOn) const {
     try {
-        return write(file, goOn);
+        return recording_.empty() ? write(file, goOn) : copyRecording(file, goOn);
     } catch (const std::exception& error) {
         return Problem{Severity::Critical, file.string(),
                        fmt::format("the recording cannot be written ({}).", error.what()),
                        "Close other programs if there is no memory left."};
     }
+}
+
+RunCopy RunCopy::ofRecording(std::filesystem::path recording) {
+    RunCopy copy;
+    copy.recording_ = std::move(recording);
+    return copy;
+}
+
+Result<bool> RunCopy::copyRecording(const std::filesystem::path& file,
+                                    const std::function<bool(double)>& goOn) const {
+    std::error_code error;
+    if (std::filesystem::equivalent(recording_, file, error)) {
+        return true;  // it is there
+    }
+    const auto unreadable = [this] {
+        return Problem{Severity::Critical, recording_.string(), "the recording cannot be read.",
+                       "Check that the file is still there."};
+    };
+    const auto total = static_cast<double>(std::filesystem::file_size(recording_, error));
+    std::ifstream in(recording_, std::ios::binary);
+    if (error || !in) {
+        return unreadable();
+    }
+    AtomicFile out(file);
+    std::string piece(1U << 20U, '\0');
+    for (double done = 0.0;
+         in.read(piece.data(), static_cast<std::streamsize>(piece.size())), in.gcount() > 0;) {
+        out.write(std::string_view(piece).substr(0, static_cast<std::size_t>(in.gcount())));
+        done += static_cast<double>(in.gcount());
+        if (goOn && !goOn(std::min(1.0, done / std::max(1.0, total)))) {
+            return false;
+        }
+    }
+    if (in.bad()) {
+        return unreadable();
+    }
+    return out.commit();
 }
 
 Result<bool> RunCopy::write(const std::filesystem::path& file,

@@ -21,6 +21,9 @@ class PrivateFile;
 /// run goes on.
 class RunCopy {
   public:
+    /// The run of a recording that is there already: saved as a copy of that file.
+    static RunCopy ofRecording(std::filesystem::path recording);
+
     /// Writes the recording whole or not at all. `goOn` is called with the part that is done [0 to
     /// 1]; false when it said no.
     Result<bool> save(const std::filesystem::path& file,
@@ -29,12 +32,15 @@ class RunCopy {
   private:
     Result<bool> write(const std::filesystem::path& file,
                        const std::function<bool(double)>& goOn) const;
+    Result<bool> copyRecording(const std::filesystem::path& file,
+                               const std::function<bool(double)>& goOn) const;
 
     friend class RunRecorder;
     RecordingHeader header_;
     std::shared_ptr<const PrivateFile> tables_;
-    std::uint64_t size_ = 0;  ///< of what is written of the tables [byte]
-    std::string rest_;        ///< the chunks behind them
+    std::uint64_t size_ = 0;           ///< of what is written of the tables [byte]
+    std::string rest_;                 ///< the chunks behind them
+    std::filesystem::path recording_;  ///< not empty: everything is in this file instead
 };
 
 /// Records whatever a worker runs into a private file in `folder`, so that the run can be saved at

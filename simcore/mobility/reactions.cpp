@@ -1,5 +1,7 @@
 #include "simcore/mobility/reactions.h"
 
+#include <fmt/format.h>
+
 #include "simcore/mobility/constraint_system.h"
 #include "simcore/mobility/factorisation.h"
 
@@ -88,6 +90,40 @@ std::vector<ReactionDeterminacy> determinedReactions(const mechanism::Mechanism&
         begin = end;
     }
     return reactions;
+}
+
+std::string describe(const std::vector<ReactionDeterminacy>& reactions) {
+    constexpr std::size_t kNamed = 6;  // more is a list, not a sentence
+    const auto named = [&](Determinacy determinacy) {
+        std::size_t count = 0;
+        std::string text;
+        for (const ReactionDeterminacy& reaction : reactions) {
+            if (reaction.determinacy == determinacy && ++count <= kNamed) {
+                text += (count > 1 ? ", " : "") + reaction.element;
+            }
+        }
+        return count > kNamed ? fmt::format("{} and {} more", text, count - kNamed) : text;
+    };
+    int components = 0, known = 0;
+    for (const ReactionDeterminacy& reaction : reactions) {
+        components += reaction.components;
+        known += static_cast<int>(reaction.determined.size());
+    }
+    if (known == components) {
+        return "Every reaction follows from the loads.";
+    }
+    std::string text = fmt::format(
+        "Of {} components of reactions the loads determine {}; the others depend on play, "
+        "stiffness "
+        "and errors of manufacture.",
+        components, known);
+    if (const std::string none = named(Determinacy::None); !none.empty()) {
+        text += " Nothing can be known of " + none + ".";
+    }
+    if (const std::string some = named(Determinacy::Some); !some.empty()) {
+        text += " Part of the reaction can be known of " + some + ".";
+    }
+    return text;
 }
 
 }  // namespace simcore::mobility

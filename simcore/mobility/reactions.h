@@ -41,4 +41,7 @@ std::vector<ReactionDeterminacy> determinedReactions(const mechanism::Mechanism&
 std::vector<ReactionDeterminacy> determinedReactions(const mechanism::Mechanism& mechanism,
                                                      Model model);
 
+/// What of them cannot be known from the loads, in a sentence or two.
+std::string describe(const std::vector<ReactionDeterminacy>& reactions);
+
 }  // namespace simcore::mobility

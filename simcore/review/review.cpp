@@ -327,8 +327,8 @@ std::vector<std::pair<std::string, std::string>> kinds() {
             {"support", "Centre of mass near the edge of its feet"},
             {"overlap", "Wheels in one another"},
             {"step", "Step too large for the speed"},
-            {"friction", "Too little friction for a slope"},
-            {"torque", "Too little torque for a slope"}};
+            {"friction", "Too little friction for a scenario"},
+            {"torque", "Too little torque for a scenario"}};
 }
 
 std::vector<Finding> review(const Project& project, const project::ParameterValues& parameters,

@@ -297,6 +297,34 @@ TEST_F(RoversimTest, MobilityShowsBothModelsWithoutModel) {
     ASSERT_EQ(both.at("models").size(), 2U);
 }
 
+TEST_F(RoversimTest, MobilityOfAPartIsThatOfItsLoop) {
+    const std::string part =
+        " --part chassis --part fork_upper --part fork_lower --part fork_arm " + shipped("solero");
+    const json both = json::parse(roversim("mobility --json" + part).out);
+    EXPECT_EQ(both.at("part").at("bodies").size(), 4U);
+    EXPECT_EQ(both.at("part").at("held"), json::array({"chassis"}));
+    EXPECT_EQ(both.at("part").at("pieces"), 1);
+    const json& built = both.at("models").at(0);
+    EXPECT_EQ(built.at("gruebler"), -2);
+    EXPECT_EQ(built.at("redundant"), 3);
+    EXPECT_EQ(built.at("loops").size(), 1U);
+    double parts = 0.0;
+    for (const json& share : built.at("self_stress")) {
+        parts += share.at("part").get<double>();
+    }
+    EXPECT_NEAR(parts, 1.0, 1e-9);
+    EXPECT_EQ(both.at("models").at(1).at("redundant"), 0);
+    EXPECT_THAT(roversim("mobility" + part).out,
+                HasSubstr("With chassis held: 1 freedom within it"));
+
+    const Outcome unknown = roversim("mobility --part spoon " + shipped("solero"));
+    EXPECT_EQ(unknown.code, 1);
+    EXPECT_THAT(unknown.err, HasSubstr("spoon"));
+    const Outcome apart = roversim("mobility --part fork_arm " + shipped("solero"));
+    EXPECT_EQ(apart.code, 1);
+    EXPECT_THAT(apart.err, HasSubstr("no joint connects"));
+}
+
 TEST_F(RoversimTest, MobilityTellsMovedPoseLoopsAndReactions) {
     const std::string file = "'" ROVER_SOURCE_DIR "/assets/mechanisms/bars_in_line.rover'";
     const json found = json::parse(roversim("mobility --json --model built " + file).out);
@@ -628,6 +656,27 @@ TEST_F(RecordedRun, ReplayRunsOnTheEngineOfTheRun) {
 
 TEST_F(RecordedRun, ExportGivesTheTableOfTheRun) {
     ASSERT_EQ(record().code, 0);
+    const Outcome part = roversim("export '" + path("run.roverrec") + "' '" + path("part.csv") +
+                                  "' --channels normal_force,pitch_chassis --from 0.1 --to 0.2");
+    ASSERT_EQ(part.code, 0) << part.err;
+    std::ifstream partTable(path("part.csv"));
+    std::string line;
+    std::getline(partTable, line);
+    EXPECT_THAT(line, testing::StartsWith("time [s],pitch_chassis [rad],normal_force_front [N],"));
+    int partRows = 0;
+    while (std::getline(partTable, line)) {
+        ++partRows;
+    }
+    EXPECT_EQ(partRows, 11);  // every 10 ms, both ends
+    const json cut = json::parse(std::ifstream(path("part.json")));
+    EXPECT_EQ(cut.at("rows"), 11);
+    EXPECT_EQ(cut.at("from"), 0.1);
+    for (const char* wrong : {" --channels wings", " --from 100", " --from 0.3 --to 0.2"}) {
+        const Outcome refused =
+            roversim("export '" + path("run.roverrec") + "' '" + path("no.csv") + "'" + wrong);
+        EXPECT_EQ(refused.code, 1) << wrong;
+        EXPECT_FALSE(std::filesystem::exists(path("no.csv"))) << wrong;
+    }
     const Outcome exported =
         roversim("export '" + path("run.roverrec") + "' '" + path("again.csv") + "'");
     ASSERT_EQ(exported.code, 0) << exported.err;

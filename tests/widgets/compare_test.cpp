@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <QTreeWidget>
 
 #include <set>
@@ -11,12 +12,16 @@
 #include <gmock/gmock.h>
 #include <qcustomplot.h>
 
+#include "simcore/io/recording.h"
+#include "simcore/io/replay.h"
+#include "tests/support/dialogs.h"
 #include "tests/support/studio.h"
 #include "widgets/panels/compare_panel.h"
 #include "widgets/panels/compare_text.h"
 #include "widgets/plots/plot_panel.h"
 #include "widgets/session/experiment.h"
 #include "widgets/session/run_bar.h"
+#include "widgets/window/recording_commands.h"
 
 using simcore::experiment::Outcome;
 using simcore::project::ControllerKind;
@@ -129,6 +134,77 @@ TEST_F(CompareTest, AKeptRunStandsBesideTheNextOne) {
     EXPECT_EQ(lines[3].count('\t'), 2);
 }
 
+// Kept, saved, added again: the same numbers; the file makes the same run again.
+TEST_F(CompareTest, AKeptRunIsSavedAsARecordingAndARecordingIsHeldBesideTheRun) {
+    using simcore::io::RecordingReader;
+    ASSERT_TRUE(driveToTheEnd());
+    press(Qt::Key_K, Qt::ControlModifier);
+    const auto rows = session().recording().rows;
+    window->runBar().setController(ControllerKind::Torque);
+    ASSERT_TRUE(driveToTheEnd());
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("kept.roverrec");
+    const auto click = [&](int line) {
+        QTest::mouseClick(runList()->viewport(), Qt::LeftButton, {},
+                          runList()->visualItemRect(runList()->topLevelItem(line)).center());
+    };
+    const auto saveTo = [&](const QString& name) {
+        testsupport::chooseFile(name);
+        QTest::mouseClick(find<QPushButton>("saveRun"), Qt::LeftButton);
+    };
+    click(1);
+    saveTo(file);
+    ASSERT_TRUE(QFile::exists(file));
+    auto reader = RecordingReader::open(file.toStdString());
+    ASSERT_TRUE(reader);
+    const auto replayed = simcore::io::replay(**reader);
+    ASSERT_TRUE(replayed);
+    EXPECT_TRUE(replayed->same());
+    // The run on show is saved by the same button.
+    click(0);
+    saveTo(folder.filePath("shown.roverrec"));
+    EXPECT_TRUE(QFile::exists(folder.filePath("shown.roverrec")));
+
+    // Back beside the run on show, with curves, a column, and the mark of another design.
+    click(1);
+    QTest::mouseClick(find<QPushButton>("removeRun"), Qt::LeftButton);
+    ASSERT_TRUE(library().runs().empty());
+    const int controller = static_cast<int>(session().settings().controller);
+    testsupport::chooseFile(file);
+    QTest::mouseClick(find<QPushButton>("addRecording"), Qt::LeftButton);
+    ASSERT_EQ(library().runs().size(), 1U);
+    EXPECT_EQ(static_cast<int>(session().settings().controller), controller);
+    const auto& held = library().runs().front().session->recording().rows;
+    ASSERT_EQ(held.size(), rows.size());
+    EXPECT_EQ(held.back()[0], rows.back()[0]);
+    EXPECT_EQ(held.back()[1], rows.back()[1]);
+    EXPECT_EQ(find<QTableWidget>("compareTable")->columnCount(), 2);
+    EXPECT_EQ(runList()->topLevelItemCount(), 2);
+    // As a ghost it moves along with the instant on show.
+    library().setGhost(library().runs().front().id);
+    session().scrub(0.5);
+    EXPECT_NEAR(library().ghostRun()->instantNear(session().shownTime())->time, 0.5, 0.03);
+
+    // It can be saved once more: a copy of the file, to the byte.
+    click(1);
+    saveTo(folder.filePath("again.roverrec"));
+    EXPECT_EQ(testsupport::bytesOf(folder.filePath("again.roverrec")), testsupport::bytesOf(file));
+
+    // An opened recording can be kept, and saved from there.
+    window->document().undoStack().setClean();
+    ASSERT_TRUE(window->recordings().openFile(file));
+    press(Qt::Key_K, Qt::ControlModifier);
+    ASSERT_EQ(library().runs().size(), 1U);
+    click(1);
+    saveTo(folder.filePath("third.roverrec"));
+    EXPECT_EQ(testsupport::bytesOf(folder.filePath("third.roverrec")), testsupport::bytesOf(file));
+
+    // What cannot be read says so and changes nothing.
+    testsupport::answerNextBox(QMessageBox::Ok);
+    EXPECT_FALSE(window->recordings().addFile(folder.filePath("none.roverrec")));
+    EXPECT_EQ(library().runs().size(), 1U);
+}
+
 TEST_F(CompareTest, CurvesOfKeptRunsCanBeShownAndHidden) {
     ASSERT_TRUE(driveToTheEnd());
     press(Qt::Key_K, Qt::ControlModifier);
@@ -147,6 +223,33 @@ TEST_F(CompareTest, CurvesOfKeptRunsCanBeShownAndHidden) {
     EXPECT_FALSE(plot()->graph(2)->visible());
     EXPECT_FALSE(plot()->graph(8)->visible());
     EXPECT_TRUE(plot()->graph(7)->visible());
+}
+
+// Of any time window, with blocks of points begun and ended anywhere: by looking at every point.
+TEST_F(CompareTest, TheValueAxisFitsTheVisibleCurvesOfAllRuns) {
+    ASSERT_TRUE(driveToTheEnd());
+    press(Qt::Key_K, Qt::ControlModifier);
+    window->plots().setQuantity(0, "torque_applied");
+    window->plots().setWheelShown(0, false);
+    for (const auto& [from, to] :
+         {std::pair(0.0, 1.5), std::pair(0.013, 1.49), std::pair(0.2, 0.4), std::pair(1.28, 1.3)}) {
+        plot()->xAxis->setRange(from, to);
+        const QCPRange seen = plot()->xAxis->range();
+        double least = 0.0, most = 0.0;  // zero is always shown
+        for (int i = 0; i < plot()->graphCount(); ++i) {
+            for (const auto& point : *plot()->graph(i)->data()) {
+                if (plot()->graph(i)->visible() && seen.contains(point.key)) {
+                    least = std::min(least, point.value);
+                    most = std::max(most, point.value);
+                }
+            }
+        }
+        const double size = std::max(most - least, 0.5);
+        EXPECT_NEAR(plot()->yAxis->range().upper, least + size + 0.06 * size, 1e-9) << from;
+        EXPECT_NEAR(plot()->yAxis->range().lower, least < 0.0 ? least - 0.06 * size : -0.03 * size,
+                    1e-9)
+            << from;
+    }
 }
 
 TEST_F(CompareTest, QuantitiesOfTheChassisAreOneCurveARun) {

@@ -126,6 +126,93 @@ TEST_F(EditingTest, SliderDragIsOneUndoStepAndRefreshesTheScene) {
     EXPECT_DOUBLE_EQ(parameterValue("wheel_radius"), 0.07);
 }
 
+// The fork alone is a planar four-bar: -2 by Grübler, 1 in truth, 3 redundant; relaxed exact.
+TEST_F(EditingTest, MobilityPanelCountsTheSelectionAlone) {
+    const QString minus(QChar(0x2212));
+    auto* tree = window->findChild<widgets::PartsTree*>();
+    const auto click = [&](const QString& name, Qt::KeyboardModifiers keys) {
+        for (QTreeWidgetItem* item : tree->findItems(name, Qt::MatchExactly | Qt::MatchRecursive)) {
+            if (item->parent() != nullptr && item->parent()->text(0) == "Bodies") {
+                item->parent()->setExpanded(true);
+                tree->scrollToItem(item);
+                QTest::mouseClick(tree->viewport(), Qt::LeftButton, keys,
+                                  tree->visualItemRect(item).center());
+            }
+        }
+    };
+    auto* scope = find<QComboBox>("mobilityScope");
+    QTest::keyClick(scope, Qt::Key_Down);
+    ASSERT_EQ(scope->currentText(), "Selection");
+    // Nothing is selected yet.
+    EXPECT_EQ(mobilityCell(0, 0), QString(QChar(0x2013)));
+    EXPECT_EQ(find<QLabel>("headline")->text(), "Nothing to count");
+
+    click("chassis", {});
+    for (const char* body : {"fork_upper", "fork_lower", "fork_arm"}) {
+        click(body, Qt::ControlModifier);
+    }
+    ASSERT_EQ(tree->selection().size(), 4U);
+    const QStringList built{minus + "2", "3, 4", "20", "17", "+1", "3"};
+    const QStringList relaxed{"+1", "3, 4", "17", "17", "+1", "0"};
+    for (int row = 0; row < 6; ++row) {
+        EXPECT_EQ(mobilityCell(row, 0).toStdString(), built[row].toStdString()) << row;
+        EXPECT_EQ(mobilityCell(row, 1).toStdString(), relaxed[row].toStdString()) << row;
+    }
+    EXPECT_EQ(find<QLabel>("headline")->text(), "Hyperstatic: 3 redundant constraints");
+
+    // One loop; choosing it marks its four joints.
+    auto* kind = find<QComboBox>("mobilityKind");
+    auto* list = find<QTreeWidget>("removableList");
+    QStringList marked;
+    QObject::connect(&window->mobility(), &widgets::MobilityPanel::marked, list,
+                     [&](const QStringList& joints) { marked = joints; });
+    QTest::keyClick(kind, Qt::Key_Down);
+    ASSERT_EQ(list->topLevelItemCount(), 1);
+    EXPECT_EQ(list->topLevelItem(0)->text(1), "3 redundant");
+    EXPECT_TRUE(list->topLevelItem(0)->child(0)->text(0).contains("rank 17"));
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualItemRect(list->topLevelItem(0)).center());
+    EXPECT_EQ(marked.size(), 4);
+
+    // What cannot be known: of every pin the loads give the two forces in the plane.
+    QTest::keyClick(kind, Qt::Key_Down);
+    EXPECT_TRUE(marked.empty());
+    ASSERT_EQ(list->topLevelItemCount(), 4);
+    EXPECT_TRUE(list->topLevelItem(0)->text(0).endsWith(": 2 of 5 known"));
+    EXPECT_TRUE(find<QLabel>("mobilityListTitle")->text().startsWith("Of 20 components"));
+    double parts = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        parts += list->topLevelItem(i)->data(1, Qt::UserRole + 2).toDouble();
+    }
+    EXPECT_NEAR(parts, 1.0, 1e-9);
+
+    // An edit that takes a part away, and undo.
+    click("fork_arm", {});
+    EXPECT_EQ(find<QLabel>("headline")->text(), "Nothing to count");
+    QTest::keyClick(scope, Qt::Key_Up);
+    EXPECT_EQ(mobilityCell(0, 0).toStdString(), (minus + "20").toStdString());
+}
+
+// A click with Ctrl in the 3-D view collects parts.
+TEST_F(EditingTest, PicksWithControlAreCollected) {
+    if (window->viewport() == nullptr) {
+        GTEST_SKIP() << "no OpenGL";
+    }
+    auto* tree = window->findChild<widgets::PartsTree*>();
+    const auto& mechanism = *window->document().derived().mechanism;
+    QTest::keyClick(find<QComboBox>("mobilityScope"), Qt::Key_Down);
+    emit window->viewport()->bodyPicked(mechanism.findBody("chassis"));
+    emit window->viewport()->bodyPicked(mechanism.findBody("fork_upper"), true);
+    EXPECT_EQ(tree->selection().size(), 2U);
+    EXPECT_EQ(mobilityCell(1, 0), "1, 1");
+    emit window->viewport()->bodyPicked(-1, true);
+    EXPECT_EQ(tree->selection().size(), 2U);
+    emit window->viewport()->bodyPicked(mechanism.findBody("fork_upper"), true);
+    EXPECT_EQ(tree->selection().size(), 1U);
+    emit window->viewport()->jointPicked(mechanism.findJoint("bogie_left_upper_pivot"));
+    EXPECT_EQ(mobilityCell(4, 0), "+2");  // mirrored: both pins are in the chassis
+}
+
 TEST_F(EditingTest, MobilityPanelShowsThePublishedCountsOfBothModels) {
     const QString minus(QChar(0x2212));
     const QStringList built{minus + "20", "18, 28", "128", "107", "+1", "21"};

@@ -7,6 +7,8 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "tests/support/studio.h"
@@ -92,4 +94,26 @@ TEST_F(AdviceTest, ChoosingAdviceSelectsItsPart) {
     const QPoint at = list()->visualItemRect(list()->topLevelItem(0)).center();
     QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, at);
     EXPECT_THAT(list()->currentItem()->text(0).toStdString(), HasSubstr("flat"));
+}
+
+// Found beside the window while the panel is on show; an edit drops it, and the next one finds
+// anew.
+TEST_F(AdviceTest, GroundTooSlipperyForAStepIsToldAMomentLater) {
+    auto next = window->document().project();
+    next.scenarios.erase(
+        std::remove_if(next.scenarios.begin(), next.scenarios.end(),
+                       [](const auto& scenario) { return scenario.name != "step"; }),
+        next.scenarios.end());
+    next.scenarios.front().soil.friction = 0.3;
+    window->document().edit("Spill oil", next);
+    EXPECT_EQ(count(), 0);
+    ASSERT_TRUE(waitUntil([&] { return count() == 1; }));
+    EXPECT_EQ(list()->topLevelItem(0)->text(0), "scenario step");
+    EXPECT_THAT(list()->topLevelItem(0)->child(0)->text(0).toStdString(),
+                HasSubstr("and the ground gives 0.30"));
+    next.scenarios.front().soil.friction = 0.9;
+    window->document().edit("Clean up", next);
+    EXPECT_EQ(count(), 0);
+    QTest::qWait(3000);
+    EXPECT_EQ(count(), 0);
 }

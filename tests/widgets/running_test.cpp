@@ -3,6 +3,8 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QToolButton>
 
@@ -10,7 +12,9 @@
 
 #include "simcore/io/csv.h"
 #include "simcore/run/sampler.h"
+#include "tests/support/dialogs.h"
 #include "tests/support/studio.h"
+#include "widgets/plots/export_dialog.h"
 #include "widgets/plots/plot_panel.h"
 #include "widgets/session/run_bar.h"
 #include "widgets/session/timeline_slider.h"
@@ -344,6 +348,57 @@ TEST_F(RunningTest, ExportedCsvIsWhatAHeadlessRunWrites) {
     const QByteArray bytes = a.readAll();
     EXPECT_GT(bytes.size(), 10000);
     EXPECT_EQ(bytes, b.readAll());
+}
+
+// The dialog over the plots: what they show is ticked; searching, ticking and the range count.
+TEST_F(RunningTest, ChosenChannelsOfTheVisibleTimeAreExported) {
+    ASSERT_TRUE(driveFor(1.2));
+    window->plots().setPlotCount(1);
+    window->plots().setQuantity(0, "normal_force");
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("part.csv");
+    auto* plot = find<QWidget>("plot:0");
+    plot->repaint();
+    // Two cursors: one marked with Shift, one where a click put the run.
+    QTest::mouseClick(plot, Qt::LeftButton, Qt::ShiftModifier,
+                      QPoint(plot->width() / 3, plot->height() / 2));
+    QTest::mouseClick(plot, Qt::LeftButton, {}, QPoint(plot->width() / 2, plot->height() / 2));
+    const double to = session().shownTime();
+    QString size;
+    testsupport::onNext<widgets::ExportDialog>([&](widgets::ExportDialog* dialog) {
+        const auto wheels = session().settings().mechanism.wheels.size();
+        EXPECT_EQ(dialog->cut().channels.size(), wheels);
+        auto* search = dialog->findChild<QLineEdit*>("exportSearch");
+        QTest::keyClicks(search, "pitch");
+        QTest::mouseClick(dialog->findChild<QPushButton*>("exportNone"), Qt::LeftButton);
+        EXPECT_EQ(dialog->cut().channels.size(), wheels);  // only those the search shows
+        search->clear();
+        QTest::mouseClick(dialog->findChild<QPushButton*>("exportNone"), Qt::LeftButton);
+        EXPECT_FALSE(dialog->findChild<QPushButton*>("exportWrite")->isEnabled());
+        QTest::keyClicks(search, "torque applied front");
+        QTest::mouseClick(dialog->findChild<QPushButton*>("exportAll"), Qt::LeftButton);
+        EXPECT_EQ(dialog->findChild<QComboBox*>("exportRange")->currentIndex(), 1);
+        size = dialog->findChild<QLabel*>("exportSize")->text();
+        testsupport::chooseFile(file);
+        QTest::mouseClick(dialog->findChild<QPushButton*>("exportWrite"), Qt::LeftButton);
+    });
+    QTest::mouseClick(find<QPushButton>("exportCsv"), Qt::LeftButton);
+    std::ifstream table(file.toStdString());
+    std::string header, row, last;
+    std::getline(table, header);
+    EXPECT_EQ(header,
+              "time [s],torque_applied_front [N*m],torque_applied_bogie_left_front [N*m],"
+              "torque_applied_bogie_right_front [N*m]");
+    int rows = 0;
+    double first = -1.0;
+    while (std::getline(table, row)) {
+        first = rows++ == 0 ? std::stod(row) : first;
+        last = row;
+    }
+    EXPECT_GT(first, 0.0);
+    EXPECT_LE(std::stod(last), to + 1e-6);
+    EXPECT_GE(std::stod(last), to - 0.011);
+    EXPECT_EQ(size, QString("4 columns with the time, %1 rows").arg(rows));
 }
 
 TEST_F(RunningTest, PlotPicturesAreWrittenInThreeFormats) {

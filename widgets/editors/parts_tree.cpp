@@ -121,6 +121,11 @@ PartsTree::PartsTree(Document* document, QWidget* parent)
             emit elementSelected(elementOf(item));
         }
     });
+    connect(this, &QTreeWidget::itemSelectionChanged, this, [this] {
+        if (!refreshing_) {
+            emit selectionChanged();
+        }
+    });
     connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
         if (!refreshing_) {
             rename(item);
@@ -278,6 +283,20 @@ void PartsTree::select(ElementRef element) {
         scrollToItem(found->second);
     }
     refreshing_ = false;
+    emit selectionChanged();
+}
+
+void PartsTree::toggle(ElementRef element) {
+    const auto found = items_.find(element);
+    if (found == items_.end()) {
+        return;
+    }
+    found->second->parent()->setExpanded(true);
+    refreshing_ = true;
+    setCurrentItem(found->second, 0, QItemSelectionModel::Toggle | QItemSelectionModel::Rows);
+    scrollToItem(found->second);
+    refreshing_ = false;
+    emit selectionChanged();
 }
 
 ElementRef PartsTree::selected() const {
@@ -342,6 +361,7 @@ void PartsTree::selectThese(const std::vector<ElementRef>& elements) {
         scrollToItem(found->second);
     }
     refreshing_ = false;
+    emit selectionChanged();
 }
 
 void PartsTree::selectAppended(const Project& before, ElementRef current) {

@@ -22,6 +22,9 @@ class PartsTree : public QTreeWidget {
     /// Selects one without emitting elementSelected(); index -1 clears.
     void select(simcore::project::ElementRef element);
 
+    /// Adds it to the selection, or takes it out, as Ctrl and a click do.
+    void toggle(simcore::project::ElementRef element);
+
     /// The current one, which the editors show.
     simcore::project::ElementRef selected() const;
     /// All of them, in the order of the file.
@@ -49,6 +52,8 @@ class PartsTree : public QTreeWidget {
   signals:
     /// The user selected another element.
     void elementSelected(simcore::project::ElementRef element);
+    /// selection() may be another one, by whatever way.
+    void selectionChanged();
     /// A change was refused.
     void refused(const QString& why);
     /// Something worth knowing was done.

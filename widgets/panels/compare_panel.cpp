@@ -184,9 +184,7 @@ QWidget* ComparePanel::makeRuns() {
     }
     runs_->setIconSize({30, 12});
     connect(runs_, &QTreeWidget::itemChanged, this, &ComparePanel::onItemChanged);
-    connect(runs_, &QTreeWidget::itemSelectionChanged, this, [this] {
-        remove_->setEnabled(runs_->currentItem() != nullptr && idOf(runs_->currentItem()) > 0);
-    });
+    connect(runs_, &QTreeWidget::itemSelectionChanged, this, &ComparePanel::updateButtons);
     const auto button = [](const QString& text, const QString& name, const QString& tip) {
         auto* one = new QPushButton(text);
         one->setObjectName(name);
@@ -195,13 +193,21 @@ QWidget* ComparePanel::makeRuns() {
     };
     keep_ = button(tr("Keep run"), "keepRun",
                    tr("Hold a copy of the run on show, to compare the next with it (Ctrl+K)"));
+    QPushButton* add = button(tr("Add..."), "addRecording",
+                              tr("Hold a recording beside these runs; the project stays"));
+    save_ = button(tr("Save..."), "saveRun", tr("Save the selected run as a recording"));
     remove_ = button(tr("Remove"), "removeRun", tr("Drop the selected run"));
     copy_ = button(tr("Copy table"), "copyTable", tr("For a spreadsheet"));
     connect(keep_, &QPushButton::clicked, this, &ComparePanel::keepRequested);
+    connect(add, &QPushButton::clicked, this, &ComparePanel::addRequested);
+    connect(save_, &QPushButton::clicked, this, &ComparePanel::saveSelected);
     connect(remove_, &QPushButton::clicked, this, &ComparePanel::removeSelected);
     connect(copy_, &QPushButton::clicked, this, &ComparePanel::copyTable);
     auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(4);
     buttons->addWidget(keep_);
+    buttons->addWidget(add);
+    buttons->addWidget(save_);
     buttons->addWidget(remove_);
     buttons->addStretch(1);
     buttons->addWidget(copy_);
@@ -286,7 +292,7 @@ void ComparePanel::fillRuns() {
     const int lines = std::max(kFewestLines, runs_->topLevelItemCount()) + 1;
     runs_->setFixedHeight(lines * (fontMetrics().height() + 6) + 4);
     keep_->setEnabled(shown_->hasRun());
-    remove_->setEnabled(runs_->currentItem() != nullptr && idOf(runs_->currentItem()) > 0);
+    updateButtons();
     filling_ = false;
 }
 
@@ -313,6 +319,22 @@ void ComparePanel::removeSelected() {
     if (runs_->currentItem() != nullptr) {
         library_->remove(idOf(runs_->currentItem()));
     }
+}
+
+void ComparePanel::saveSelected() {
+    const int id = runs_->currentItem() != nullptr ? idOf(runs_->currentItem()) : -1;
+    const int index = library_->find(id);
+    if (id == kShownId) {
+        emit saveRequested(*shown_);
+    } else if (index >= 0) {
+        emit saveRequested(*library_->runs()[static_cast<std::size_t>(index)].session);
+    }
+}
+
+void ComparePanel::updateButtons() {
+    const int id = runs_->currentItem() != nullptr ? idOf(runs_->currentItem()) : -1;
+    save_->setEnabled(id >= 0);
+    remove_->setEnabled(id > 0);
 }
 
 void ComparePanel::fillTable() {

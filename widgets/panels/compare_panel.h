@@ -34,6 +34,10 @@ class ComparePanel : public QWidget {
   signals:
     void startRequested();
     void keepRequested();
+    /// A recording is to be held beside the runs.
+    void addRequested();
+    /// A run is to be saved as a recording: the selected one.
+    void saveRequested(const widgets::RunSession& run);
 
   protected:
     void changeEvent(QEvent* event) override;
@@ -46,6 +50,8 @@ class ComparePanel : public QWidget {
     void fillCells();
     void showVerdict();
     void removeSelected();
+    void saveSelected();
+    void updateButtons();
     void onItemChanged(QTreeWidgetItem* item, int column);
     int idOf(const QTreeWidgetItem* item) const;
 
@@ -59,6 +65,7 @@ class ComparePanel : public QWidget {
     QLabel* details_ = nullptr;
     QTreeWidget* runs_ = nullptr;
     QPushButton* keep_ = nullptr;
+    QPushButton* save_ = nullptr;
     QPushButton* remove_ = nullptr;
     QPushButton* copy_ = nullptr;
     QTableWidget* table_ = nullptr;

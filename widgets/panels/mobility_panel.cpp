@@ -2,100 +2,29 @@
 #include "widgets/panels/mobility_text.h"
 
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
-#include <QPainter>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QStyle>
-#include <QStyledItemDelegate>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <map>
 
 #include "widgets/panels/advisor_page.h"
+#include "widgets/panels/mobility_list.h"
 #include "widgets/panels/motion_page.h"
 
 namespace widgets {
 
-using simcore::mobility::ConstraintName;
 using simcore::mobility::Model;
 using simcore::mobility::Report;
 
 namespace {
 
-constexpr int kJointRole = Qt::UserRole;
-constexpr int kWheelRole = Qt::UserRole + 1;
-constexpr int kShareRole = Qt::UserRole + 2;
-
-/// A number with a true minus sign, and a plus where the sign matters.
-QString signedNumber(int n) {
-    return n < 0 ? QString(QChar(0x2212)) + QString::number(-n)
-                 : (n > 0 ? "+" : "") + QString::number(n);
-}
-
-QString directionText(const simcore::Vec3& d) {
-    static constexpr std::array kAxes{"x", "y", "z"};
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        if (std::abs(d[i]) > 0.9999) {
-            return kAxes.at(static_cast<std::size_t>(i));
-        }
-    }
-    return QString("(%1, %2, %3)")
-        .arg(d.x(), 0, 'f', 2)
-        .arg(d.y(), 0, 'f', 2)
-        .arg(d.z(), 0, 'f', 2);
-}
-
-QString constraintText(const ConstraintName& constraint) {
-    const QString direction = directionText(constraint.direction);
-    if (constraint.kind == "turn") {
-        return MobilityPanel::tr("holds the turn about %1").arg(direction);
-    }
-    if (constraint.kind == "gear") {
-        return MobilityPanel::tr("couples two joints");
-    }
-    return MobilityPanel::tr("holds the slide along %1").arg(direction);
-}
-
-/// Draws a share from 0 to 1 as a bar with its percentage.
-class ShareDelegate : public QStyledItemDelegate {
-  public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-    void paint(QPainter* painter, const QStyleOptionViewItem& option,
-               const QModelIndex& index) const override {
-        QStyledItemDelegate::paint(painter, option, index);
-        const QVariant share = index.data(kShareRole);
-        if (!share.isValid()) {
-            return;
-        }
-        const QRectF place = QRectF(option.rect).adjusted(4, 6, -38, -6);
-        const bool selected = option.state.testFlag(QStyle::State_Selected);
-        QColor color =
-            option.palette.color(selected ? QPalette::HighlightedText : QPalette::Highlight);
-        painter->save();
-        painter->setRenderHint(QPainter::Antialiasing);
-        painter->setPen(Qt::NoPen);
-        color.setAlphaF(0.25F);
-        painter->setBrush(color);
-        painter->drawRoundedRect(place, 2, 2);
-        color.setAlphaF(1.0F);
-        painter->setBrush(color);
-        QRectF filled = place;
-        filled.setWidth(place.width() * std::clamp(share.toDouble(), 0.0, 1.0));
-        painter->drawRoundedRect(filled, 2, 2);
-        painter->setPen(
-            option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
-        painter->drawText(QRectF(option.rect).adjusted(0, 0, -4, 0),
-                          Qt::AlignRight | Qt::AlignVCenter,
-                          QString("%1 %").arg(100.0 * share.toDouble(), 0, 'f', 0));
-        painter->restore();
-    }
-};
+constexpr int kWhole = 0;  // in the list of scopes
+constexpr int kSelection = 1;
 
 QString jointsTooltip(const Report& report) {
     QString text = MobilityPanel::tr("Joints by their freedoms, wheel contacts counted:");
@@ -119,8 +48,8 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
       unavailable_(new QLabel(this)),
       headline_(new QLabel(this)),
       verdict_(new QLabel(this)),
-      listTitle_(new QLabel(this)),
-      list_(new QTreeWidget(this)) {
+      scope_(new QComboBox(this)),
+      list_(new MobilityList(this)) {
     headline_->setObjectName("headline");
     headline_->setWordWrap(true);
     headline_->setAccessibleName(tr("Verdict on mobility"));
@@ -128,24 +57,6 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     unavailable_->setWordWrap(true);
     unavailable_->setAlignment(Qt::AlignCenter);
-    listTitle_->setWordWrap(true);
-    listTitle_->setToolTip(
-        tr("Removing any one of these gives no new motion. The bar is the "
-           "constraint's share in the self-stress: 100 % is wholly redundant."));
-
-    list_->setColumnCount(2);
-    list_->setHeaderHidden(true);
-    list_->setUniformRowHeights(true);
-    list_->setFrameShape(QFrame::NoFrame);
-    list_->setObjectName("removableList");
-    list_->setAccessibleName(tr("Removable constraints"));
-    list_->setMinimumHeight(90);
-    list_->header()->setStretchLastSection(false);
-    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    list_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
-    list_->setColumnWidth(1, 104);
-    list_->setItemDelegateForColumn(1, new ShareDelegate(list_));
-
     auto* table = new QWidget;
     auto* grid = new QGridLayout(table);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -158,7 +69,6 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     layout->addWidget(headline_);
     layout->addWidget(table);
     layout->addWidget(verdict_);
-    layout->addWidget(listTitle_);
     layout->addWidget(list_, 1);
     for (QWidget* page : std::initializer_list<QWidget*>{counts, advisor_, motions_}) {
         pages_->addWidget(page);
@@ -173,14 +83,19 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     outer->addWidget(content_, 1);
     outer->addWidget(unavailable_, 1);
 
-    connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-        if (!refreshing_ && item != nullptr) {
-            emit jointChosen(item->data(0, kJointRole).toInt());
-            if (item->data(0, kWheelRole).toInt() >= 0) {
-                emit wheelChosen(item->data(0, kWheelRole).toInt());
-            }
+    connect(list_, &MobilityList::jointChosen, this, [this](const QString& joint) {
+        const auto& mechanism = document_->derived().mechanism;
+        emit jointChosen(mechanism ? mechanism->findJoint(joint.toStdString()) : -1);
+    });
+    connect(list_, &MobilityList::wheelChosen, this, [this](const QString& wheel) {
+        const auto& mechanism = document_->derived().mechanism;
+        const int index = mechanism ? mechanism->findWheel(wheel.toStdString()) : -1;
+        if (index >= 0) {
+            emit jointChosen(-1);
+            emit wheelChosen(index);
         }
     });
+    connect(list_, &MobilityList::marked, this, &MobilityPanel::marked);
     connect(document_, &Document::changed, this, &MobilityPanel::refresh);
     connectPages();
     refresh();
@@ -224,6 +139,9 @@ void MobilityPanel::showPage() {
     pages_->setCurrentIndex(page);
     const bool advisor = active_ && page == static_cast<int>(Page::Advisor);
     const bool motions = active_ && page == static_cast<int>(Page::Motions);
+    if (!active_ || page != static_cast<int>(Page::Counts)) {
+        list_->unmark();
+    }
     // The one that leaves goes first: what it marked must not end what the other marks.
     if (advisor) {
         motions_->setActive(false);
@@ -273,6 +191,14 @@ void MobilityPanel::buildTable(QGridLayout* grid) {
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(3);
     grid->setColumnStretch(0, 1);
+    scope_->addItem(tr("Whole rover"));
+    scope_->addItem(tr("Selection"));
+    scope_->setObjectName("mobilityScope");
+    scope_->setAccessibleName(tr("What the counts are of"));
+    scope_->setToolTip(
+        tr("The whole rover, or only the parts selected in the tree and the joints between them"));
+    grid->addWidget(scope_, 0, 0);
+    connect(scope_, &QComboBox::currentIndexChanged, this, &MobilityPanel::refresh);
     static constexpr std::array kNames{QT_TR_NOOP("As built"), QT_TR_NOOP("Relaxed")};
     static constexpr std::array kTips{
         QT_TR_NOOP("Every joint with the freedoms it has in the rover"),
@@ -325,7 +251,42 @@ void MobilityPanel::buildTable(QGridLayout* grid) {
 }
 
 const Report& MobilityPanel::report() const {
-    return model_ == Model::Built ? document_->derived().built : document_->derived().relaxed;
+    return reports_.at(static_cast<std::size_t>(model_));
+}
+
+void MobilityPanel::setSelection(const std::vector<simcore::project::ElementRef>& selection) {
+    if (selection == selection_) {
+        return;
+    }
+    selection_ = selection;
+    if (scope_->currentIndex() == kSelection) {
+        refresh();
+    }
+}
+
+void MobilityPanel::analyse() {
+    const auto& derived = document_->derived();
+    part_.reset();
+    if (scope_->currentIndex() == kWhole) {
+        reports_ = {derived.built, derived.relaxed};
+        return;
+    }
+    // An edit may have taken what was selected, before the tree says so.
+    std::vector<simcore::project::ElementRef> there;
+    std::copy_if(selection_.begin(), selection_.end(), std::back_inserter(there),
+                 [this](const auto& element) {
+                     return element.index < countOf(document_->project(), element.kind);
+                 });
+    const auto& mechanism = *derived.mechanism;
+    part_ = simcore::mobility::partOf(
+        mechanism, simcore::mobility::drawnStance(mechanism),
+        simcore::mobility::selectionOf(document_->project(), mechanism, there));
+    for (const Model model : {Model::Built, Model::Relaxed}) {
+        reports_.at(static_cast<std::size_t>(model)) =
+            part_->constraints == 0
+                ? Report()
+                : simcore::mobility::analyse(part_->mechanism, model, part_->stance);
+    }
 }
 
 void MobilityPanel::setModel(Model model) {
@@ -346,15 +307,15 @@ void MobilityPanel::refresh() {
                "Problems."));
         return;
     }
+    analyse();
     showTable();
-    showConstraints();
+    showList();
 }
 
 void MobilityPanel::showTable() {
-    const std::array<const Report*, 2> reports{&document_->derived().built,
-                                               &document_->derived().relaxed};
+    const bool counted = !part_ || part_->constraints > 0;
     for (std::size_t model = 0; model < 2; ++model) {
-        const Report& r = *reports.at(model);
+        const Report& r = reports_.at(model);
         const std::array<QString, kQuantities> texts{
             signedNumber(r.gruebler), tr("%1, %2").arg(r.bodies).arg(r.joints),
             QString::number(r.rows),  QString::number(r.rank),
@@ -362,7 +323,9 @@ void MobilityPanel::showTable() {
         for (std::size_t i = 0; i < kQuantities; ++i) {
             QLabel* cell = cells_.at(i).at(model);
             const bool key = i == Gruebler || i == Mobility || i == Redundant;
-            const QString text = key ? "<b>" + texts.at(i) + "</b>" : texts.at(i);
+            const QString text = !counted ? QString(QChar(0x2013))
+                                 : key    ? "<b>" + texts.at(i) + "</b>"
+                                          : texts.at(i);
             if (cell->text() != text) {
                 cell->setText(text);
             }
@@ -373,7 +336,10 @@ void MobilityPanel::showTable() {
     const Report& r = report();
     QString level = "good";
     QString headline = tr("Statically determinate");
-    if (r.mobility < 1) {
+    if (!counted) {
+        level.clear();
+        headline = tr("Nothing to count");
+    } else if (r.mobility < 1 && !part_) {
         level = "bad";
         headline = tr("Cannot move");
     } else if (r.redundant > 0) {
@@ -391,71 +357,28 @@ void MobilityPanel::showTable() {
         headline_->style()->unpolish(headline_);
         headline_->style()->polish(headline_);
     }
-    verdict_->setText(mobilityVerdict(r));
+    verdict_->setText(!counted ? tr("Select parts that a joint connects, a joint, or a wheel with "
+                                    "its contact: in the tree with Ctrl, or in the 3-D view.")
+                      : part_  ? partVerdict(*part_, r)
+                               : mobilityVerdict(r));
 }
 
-void MobilityPanel::showConstraints() {
-    refreshing_ = true;
-    const int chosen =
-        list_->currentItem() ? list_->currentItem()->data(0, kJointRole).toInt() : -2;
-    std::map<QString, bool> expanded;
-    for (int i = 0; i < list_->topLevelItemCount(); ++i) {
-        expanded[list_->topLevelItem(i)->text(0)] = list_->topLevelItem(i)->isExpanded();
+void MobilityPanel::showList() {
+    const auto& mechanism = document_->derived().mechanism;
+    if (!part_) {
+        list_->show(*mechanism, simcore::mobility::drawnStance(*mechanism), report());
+    } else if (part_->constraints > 0) {
+        list_->show(part_->mechanism, part_->stance, report());
     }
-    list_->clear();
-    const Report& r = report();
-    listTitle_->setVisible(r.redundant > 0);
-    list_->setVisible(r.redundant > 0);
-    listTitle_->setText(tr("<b>%1 removable constraints</b>: any one may go, %2 of them together")
-                            .arg(r.removable.size())
-                            .arg(r.redundant));
-    QList<QTreeWidgetItem*> groups;
-    std::map<std::string, QTreeWidgetItem*> byElement;
-    for (const ConstraintName& constraint : r.removable) {
-        QTreeWidgetItem*& group = byElement[constraint.element];
-        if (group == nullptr) {
-            group = new QTreeWidgetItem({QString::fromStdString(constraint.element)});
-            group->setData(0, kJointRole, constraint.joint);
-            group->setData(0, kWheelRole, constraint.wheel);
-            group->setToolTip(0, group->text(0));
-            groups << group;
-        }
-        auto* item = new QTreeWidgetItem(group, {constraintText(constraint)});
-        item->setData(0, kJointRole, constraint.joint);
-        item->setData(0, kWheelRole, constraint.wheel);
-        item->setData(1, kShareRole, constraint.share);
-    }
-    for (QTreeWidgetItem* group : groups) {
-        double largest = 0.0;
-        for (int i = 0; i < group->childCount(); ++i) {
-            largest = std::max(largest, group->child(i)->data(1, kShareRole).toDouble());
-        }
-        group->setData(1, kShareRole, largest);
-    }
-    list_->addTopLevelItems(groups);
-    for (QTreeWidgetItem* group : groups) {
-        group->setExpanded(expanded[group->text(0)]);
-    }
-    refreshing_ = false;
-    if (chosen >= 0) {
-        selectJoint(chosen);
-    }
+    list_->setVisible(!part_ || part_->constraints > 0);
 }
 
 void MobilityPanel::selectJoint(int joint) {
-    refreshing_ = true;
     const auto& mechanism = document_->derived().mechanism;
-    QTreeWidgetItem* found = nullptr;
-    for (int i = 0; i < list_->topLevelItemCount() && joint >= 0 && mechanism; ++i) {
-        if (list_->topLevelItem(i)->data(0, kJointRole).toInt() == joint) {
-            found = list_->topLevelItem(i);
-        }
-    }
-    list_->setCurrentItem(found);
-    if (found != nullptr) {
-        list_->scrollToItem(found);
-    }
-    refreshing_ = false;
+    list_->selectElement(
+        joint >= 0 && mechanism
+            ? QString::fromStdString(mechanism->joints.at(static_cast<std::size_t>(joint)).name)
+            : QString());
 }
 
 }  // namespace widgets

@@ -2,24 +2,26 @@
 
 #include <QWidget>
 #include <array>
+#include <optional>
 
+#include "simcore/mobility/selection.h"
 #include "widgets/document/document.h"
 
 class QButtonGroup;
+class QComboBox;
 class QGridLayout;
 class QLabel;
 class QStackedWidget;
-class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace widgets {
 
 class AdvisorPage;
+class MobilityList;
 class MotionPage;
 
 /// How much the rover can move and what is over-constrained, in three pages: both models side by
-/// side, a verdict in words, and every constraint that could go, by joint; which joints to free;
-/// the free motions.
+/// side, of the whole or of the selected parts, a verdict in words, and constraints that could go,
+/// loops or reactions; which joints to free; the free motions.
 class MobilityPanel : public QWidget {
     Q_OBJECT
   public:
@@ -39,6 +41,9 @@ class MobilityPanel : public QWidget {
     AdvisorPage& advisor() { return *advisor_; }
 
     MotionPage& motions() { return *motions_; }
+
+    /// What is selected in the project, for the counts of the selection.
+    void setSelection(const std::vector<simcore::project::ElementRef>& selection);
 
     /// Selects the rows of a joint without emitting jointChosen(); -1 clears.
     void selectJoint(int joint);
@@ -62,7 +67,9 @@ class MobilityPanel : public QWidget {
     void showPage();
     void refresh();
     void showTable();
-    void showConstraints();
+    void showList();
+    /// Makes the reports of what the counts are of.
+    void analyse();
 
     Document* document_;
     simcore::mobility::Model model_ = simcore::mobility::Model::Built;
@@ -75,11 +82,13 @@ class MobilityPanel : public QWidget {
     QLabel* unavailable_ = nullptr;
     QLabel* headline_ = nullptr;
     QLabel* verdict_ = nullptr;
-    QLabel* listTitle_ = nullptr;
-    QTreeWidget* list_ = nullptr;
+    QComboBox* scope_ = nullptr;
+    MobilityList* list_ = nullptr;
+    std::vector<simcore::project::ElementRef> selection_;
+    std::optional<simcore::mobility::Part> part_;  ///< nothing: the whole rover
+    std::array<simcore::mobility::Report, 2> reports_;
     std::array<std::array<QLabel*, 2>, kQuantities> cells_{};
     bool active_ = true;
-    bool refreshing_ = false;
 };
 
 }  // namespace widgets

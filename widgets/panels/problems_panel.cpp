@@ -123,6 +123,11 @@ void ProblemsPanel::setStanding(const Problems& problems) {
     refresh();
 }
 
+void ProblemsPanel::setMoreFindings(const std::vector<simcore::review::Finding>& findings) {
+    moreFindings_ = findings;
+    fill(problems_);
+}
+
 void ProblemsPanel::showMore(const Problems& problems) {
     Problems all = standing_;
     appendNew(all, document_->derived().problems);
@@ -140,7 +145,9 @@ void ProblemsPanel::fill(const Problems& problems) {
     for (const Problem& problem : problems) {
         entries.push_back({problem, {}, {}});
     }
-    for (const auto& finding : document_->derived().findings) {
+    std::vector<simcore::review::Finding> findings = document_->derived().findings;
+    findings.insert(findings.end(), moreFindings_.begin(), moreFindings_.end());
+    for (const auto& finding : findings) {
         if (!hidden_.contains(QString::fromStdString(finding.kind))) {
             entries.push_back({asProblem(finding), finding.kind,
                                finding.fix ? finding.fix->label : std::string()});

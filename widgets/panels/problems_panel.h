@@ -29,6 +29,9 @@ class ProblemsPanel : public QWidget {
     /// Problems that are not the project's: shown through every edit, until others are set.
     void setStanding(const simcore::Problems& problems);
 
+    /// Advice that takes longer than an edit: shown behind that of the document.
+    void setMoreFindings(const std::vector<simcore::review::Finding>& findings);
+
     int count() const;
 
   signals:
@@ -67,6 +70,7 @@ class ProblemsPanel : public QWidget {
     simcore::Problems problems_;
     std::vector<Entry> shown_;
     simcore::Problems standing_;
+    std::vector<simcore::review::Finding> moreFindings_;
 };
 
 }  // namespace widgets

@@ -27,6 +27,7 @@
 
 #include "render/palette.h"
 #include "simcore/io/csv.h"
+#include "widgets/plots/export_dialog.h"
 #include "widgets/plots/wheel_plot.h"
 #include "widgets/session/may_replace.h"
 #include "widgets/session/run_titles.h"
@@ -134,6 +135,8 @@ struct PlotPanel::Impl {
     void paintPicture(QPainter& painter, const QSize& size);
     QString suggestedName(const QString& ending) const;
     void complain(const Problems& problems, const QString& what);
+    /// Whether the curves of this wheel, or of the chassis, are shown.
+    bool showsObject(const std::string& object) const;
 };
 
 void PlotPanel::Impl::build() {
@@ -220,7 +223,7 @@ QWidget* PlotPanel::Impl::makeToolbar() {
         layout->addWidget(one);
     };
     button(PlotPanel::tr("Fit"), "fit", &PlotPanel::fit);
-    button(PlotPanel::tr("Export CSV..."), "exportCsv", &PlotPanel::exportCsv);
+    button(PlotPanel::tr("Export CSV..."), "exportCsv", &PlotPanel::exportChannels);
     button(PlotPanel::tr("Save picture..."), "exportPicture", &PlotPanel::exportPicture);
     connect(counts, &QComboBox::activated, panel,
             [this] { panel->setPlotCount(counts->currentData().toInt()); });
@@ -687,6 +690,12 @@ QString PlotPanel::Impl::suggestedName(const QString& ending) const {
     return QDir(QSettings().value("export/folder", first).toString()).filePath(name + ending);
 }
 
+bool PlotPanel::Impl::showsObject(const std::string& object) const {
+    const auto wheel = std::find(wheels.begin(), wheels.end(), object);
+    return wheel == wheels.end() ||
+           wheelShown[static_cast<std::size_t>(std::distance(wheels.begin(), wheel))];
+}
+
 void PlotPanel::Impl::complain(const Problems& problems, const QString& what) {
     QMessageBox::warning(panel, what, QString::fromStdString(toString(problems)));
 }
@@ -801,6 +810,35 @@ void PlotPanel::copyPicture() {
 }
 
 void PlotPanel::exportCsv() {
+    writeCsv({});
+}
+
+void PlotPanel::exportChannels() {
+    const auto& recording = impl_->session->recording();
+    if (recording.rows.size() < 2) {
+        writeCsv({});  // says that there is nothing
+        return;
+    }
+    impl_->session->pause();  // what is written is what was looked at
+    std::vector<std::string> plotted;
+    for (int i = 0; i < impl_->count; ++i) {
+        const ShownQuantity& q = impl_->plots.at(static_cast<std::size_t>(i))->quantity();
+        for (const auto& channel : recording.channels) {
+            if (channel.quantity == q.quantity.toStdString() &&
+                impl_->showsObject(channel.object)) {
+                plotted.push_back(channel.id());
+            }
+        }
+    }
+    ExportDialog dialog(recording, plotted,
+                        {impl_->from, impl_->to, impl_->reference, impl_->session->shownTime()},
+                        this);
+    if (dialog.exec() == QDialog::Accepted) {
+        writeCsv(dialog.cut());
+    }
+}
+
+void PlotPanel::writeCsv(const simcore::io::TableCut& cut) {
     if (impl_->session->recording().rows.size() < 2) {
         QMessageBox::information(this, tr("Export CSV"),
                                  tr("There is no run to export yet. Press Space to drive first."));
@@ -817,7 +855,7 @@ void PlotPanel::exportCsv() {
         return;
     }
     QSettings().setValue("export/folder", QFileInfo(file).absolutePath());
-    const auto result = impl_->session->exportCsv(file);
+    const auto result = impl_->session->exportCsv(file, cut);
     if (result) {
         emit written(file);
     } else {

@@ -42,6 +42,8 @@ class PlotPanel : public QWidget {
   public slots:
     /// Asks for a file and writes the CSV of the recording / the picture.
     void exportCsv();
+    /// Asks which channels and which time of the run, then for a file, and writes these.
+    void exportChannels();
     void exportPicture();
     /// Shows the whole recording.
     void fit();
@@ -55,6 +57,8 @@ class PlotPanel : public QWidget {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    void writeCsv(const simcore::io::TableCut& cut);
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

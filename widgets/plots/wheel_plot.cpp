@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "render/palette.h"
@@ -11,6 +13,10 @@
 
 namespace widgets {
 namespace {
+
+/// Points whose least and largest value are kept, so that a range need not look at each.
+constexpr int kBlock = 128;
+constexpr double kEmpty = std::numeric_limits<double>::infinity();
 
 QColor colorOf(int wheel) {
     const render::Rgb color = render::wheelColor(wheel);
@@ -113,6 +119,7 @@ void WheelPlot::start(const ShownQuantity& quantity, const std::vector<std::stri
     quantity_ = quantity;
     plot_->clearGraphs();
     columns_.clear();
+    blocks_.clear();
     const std::vector<std::string> objects =
         quantity.ofChassis ? std::vector<std::string>{"chassis"} : wheels;
     objects_ = objects.size();
@@ -120,6 +127,7 @@ void WheelPlot::start(const ShownQuantity& quantity, const std::vector<std::stri
         for (std::size_t i = 0; i < objects.size(); ++i) {
             columns_.push_back(simcore::run::findChannel(
                 *run.channels, quantity.quantity.toStdString(), objects[i]));
+            blocks_.emplace_back();
             QCPGraph* graph = plot_->addGraph();
             // One pixel: wider antialiased lines are drawn many times slower.
             graph->setPen(QPen(quantity.ofChassis ? text_ : colorOf(static_cast<int>(i)), 1.0,
@@ -141,15 +149,45 @@ void WheelPlot::append(std::size_t run, const simcore::run::Recording& recording
         const auto column = static_cast<std::size_t>(columns_[i]);
         const auto data = plot_->graph(static_cast<int>(i))->data();
         for (std::size_t row = first; row < recording.rows.size(); ++row) {
-            data->add(QCPGraphData(recording.rows[row][0],
-                                   recording.rows[row][column] * quantity_.factor));
+            const double value = recording.rows[row][column] * quantity_.factor;
+            if (data->size() % kBlock == 0) {
+                blocks_.at(i).emplace_back(kEmpty, -kEmpty);
+            }
+            // Appended in the order of time, so the container sorts nothing.
+            data->add(QCPGraphData(recording.rows[row][0], value));
+            auto& [least, most] = blocks_[i].back();
+            least = std::fmin(least, value);  // passes over what is missing
+            most = std::fmax(most, value);
         }
     }
+}
+
+std::pair<double, double> WheelPlot::valuesIn(int graph, double from, double to) const {
+    const auto data = plot_->graph(graph)->data();
+    const auto begin = data->findBegin(from, false);
+    const auto end = data->findEnd(to, false);
+    double least = kEmpty, most = -kEmpty;
+    const auto& blocks = blocks_.at(static_cast<std::size_t>(graph));
+    for (auto point = begin; point < end;) {
+        const int at = static_cast<int>(point - data->constBegin());
+        if (at % kBlock == 0 && end - point >= kBlock) {
+            const auto& [low, high] = blocks[static_cast<std::size_t>(at / kBlock)];
+            least = std::min(least, low);
+            most = std::max(most, high);
+            point += kBlock;
+        } else {
+            least = std::fmin(least, point->value);
+            most = std::fmax(most, point->value);
+            ++point;
+        }
+    }
+    return {least, most};
 }
 
 void WheelPlot::clearData(std::size_t run) {
     for (std::size_t i = run * objects_; i < (run + 1) * objects_; ++i) {
         plot_->graph(static_cast<int>(i))->data()->clear();
+        blocks_[i].clear();
     }
 }
 
@@ -170,9 +208,9 @@ void WheelPlot::setWindow(double from, double to) {
         if (!plot_->graph(i)->visible()) {
             continue;
         }
-        bool found = false;
-        const QCPRange one = plot_->graph(i)->getValueRange(found, QCP::sdBoth, QCPRange(from, to));
-        if (found) {
+        const auto [least, most] = valuesIn(i, from, to);
+        if (least <= most) {
+            const QCPRange one(least, most);
             range = any ? range.expanded(one) : one;
             any = true;
         }

@@ -88,7 +88,11 @@ class WheelPlot {
     QCPItemStraightLine* reference_;
     QCPItemText* hint_;
     ShownQuantity quantity_;
-    std::size_t objects_ = 0;   ///< curves a run
+    std::size_t objects_ = 0;  ///< curves a run
+    /// Least and largest value of a curve between two times; least above largest: there is none.
+    std::pair<double, double> valuesIn(int graph, double from, double to) const;
+
+    std::vector<std::vector<std::pair<double, double>>> blocks_;  ///< of every curve
     std::vector<int> columns_;  ///< channel of every curve, run by run
     QColor text_, background_, grid_;
 };

@@ -7,6 +7,7 @@
 #include "simcore/base/result.h"
 #include "simcore/io/csv.h"
 #include "simcore/io/recording.h"
+#include "simcore/io/run_recorder.h"
 #include "simcore/run/simulation.h"
 #include "widgets/session/recording_store.h"
 
@@ -24,6 +25,8 @@ struct RecordedRun {
     simcore::io::RecordingOrigin origin;
     RecordingStore store;
     std::shared_ptr<const simcore::run::Snapshot> last;  ///< a long store may have dropped it
+    /// To save it as a recording: of a run that was driven here.
+    std::shared_ptr<const simcore::io::RunCopy> copy;
 };
 
 /// Reads a recording through a store, block by block: it may be larger than the memory. Takes long

@@ -51,6 +51,15 @@ int RunLibrary::hold(std::unique_ptr<RunSession> session,
     return lastId_;
 }
 
+int RunLibrary::hold(RecordedRun recorded, const simcore::project::Project& project) {
+    simcore::project::Project own = recorded.project;
+    auto session = std::make_unique<RunSession>();
+    session->show(std::move(recorded));
+    const int id = hold(std::move(session), std::move(own));
+    setProject(project);
+    return id;
+}
+
 void RunLibrary::remove(int id) {
     const int index = find(id);
     if (index < 0) {

@@ -41,6 +41,8 @@ class RunLibrary : public QObject {
     int keep(const RunSession& shown, const simcore::project::Project& project);
     /// Holds a run of this project that may still be driving.
     int hold(std::unique_ptr<RunSession> session, std::optional<simcore::project::Project> project);
+    /// Holds a run out of a recording; `project` is the present design.
+    int hold(RecordedRun recorded, const simcore::project::Project& project);
     void remove(int id);
     void clear();
     void setCurves(int id, bool on);

@@ -243,6 +243,12 @@ RecordedRun RunSession::freeze() const {
     run.origin = origin_;
     run.store = store_;
     run.last = live_;
+    if (recorded_) {
+        run.file = recorded_->file;
+        run.copy = recorded_->copy;
+    } else if (auto copy = copyRun()) {
+        run.copy = std::make_shared<simcore::io::RunCopy>(std::move(copy).value());
+    }
     return run;
 }
 
@@ -300,6 +306,12 @@ simcore::Result<simcore::io::RunCopy> RunSession::copyRun() const {
     if (worker_ && !whyNoRecorder_.empty()) {
         return whyNoRecorder_;
     }
+    if (recorded_ && recorded_->copy) {
+        return *recorded_->copy;
+    }
+    if (recorded_ && !recorded_->file.empty()) {
+        return simcore::io::RunCopy::ofRecording(recorded_->file);
+    }
     if (recorder_ == nullptr) {
         return Problem{Severity::Critical, "recording", "there is no run to save.",
                        "Run a scenario first."};
@@ -310,13 +322,14 @@ simcore::Result<simcore::io::RunCopy> RunSession::copyRun() const {
     return std::move(*copy);
 }
 
-simcore::Result<bool> RunSession::exportCsv(const QString& file) const {
+simcore::Result<bool> RunSession::exportCsv(const QString& file,
+                                            const simcore::io::TableCut& cut) const {
     if (!hasRun()) {
         return Problem{Severity::Critical, file.toStdString(), "there is no run to write.",
                        "Run a scenario first."};
     }
     return simcore::io::saveCsv(recording(), settings(), report(), origin_,
-                                std::filesystem::path(file.toStdString()));
+                                std::filesystem::path(file.toStdString()), cut);
 }
 
 void RunSession::poll() {

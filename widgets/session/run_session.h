@@ -95,7 +95,7 @@ class RunSession : public QObject {
 
     const simcore::io::RecordingOrigin& origin() const { return origin_; }
 
-    /// The run so far, as one to be looked at only; its project stays empty. Call only when
+    /// The run so far, as one to be looked at or saved; its project stays empty. Call only when
     /// hasRun().
     RecordedRun freeze() const;
 
@@ -108,8 +108,9 @@ class RunSession : public QObject {
     /// The run so far, for saving. A problem when there is none, or its recording failed.
     simcore::Result<simcore::io::RunCopy> copyRun() const;
 
-    /// Writes the recording as CSV with its metadata beside it.
-    simcore::Result<bool> exportCsv(const QString& file) const;
+    /// Writes the recording, or part of it, as CSV with its metadata beside it.
+    simcore::Result<bool> exportCsv(const QString& file,
+                                    const simcore::io::TableCut& cut = {}) const;
 
   signals:
     /// Another run (or none) is there: wheels, channels, terrain may all be different.

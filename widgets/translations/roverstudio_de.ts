@@ -1436,6 +1436,22 @@
         <source>failed</source>
         <translation>gescheitert</translation>
     </message>
+    <message>
+        <source>Add...</source>
+        <translation>Hinzufügen ...</translation>
+    </message>
+    <message>
+        <source>Hold a recording beside these runs; the project stays</source>
+        <translation>Eine Aufzeichnung neben diese Fahrten stellen; das Projekt bleibt</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Speichern ...</translation>
+    </message>
+    <message>
+        <source>Save the selected run as a recording</source>
+        <translation>Die gewählte Fahrt als Aufzeichnung speichern</translation>
+    </message>
 </context>
 <context>
     <name>widgets::Document</name>
@@ -1512,6 +1528,85 @@
     <message>
         <source>mm</source>
         <translation>mm</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ExportDialog</name>
+    <message>
+        <source>%1 to %2 s</source>
+        <translation>%1 bis %2 s</translation>
+    </message>
+    <message>
+        <source>Export channels as CSV</source>
+        <translation>Kanäle als CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Search channels</source>
+        <translation>Kanäle suchen</translation>
+    </message>
+    <message>
+        <source>Search channels: torque, front, ...</source>
+        <translation>Kanäle suchen: Drehmoment, front, ...</translation>
+    </message>
+    <message>
+        <source>Channels to write</source>
+        <translation>Zu schreibende Kanäle</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Time to write</source>
+        <translation>Zu schreibende Zeit</translation>
+    </message>
+    <message>
+        <source>Visible: %1</source>
+        <translation>Sichtbar: %1</translation>
+    </message>
+    <message>
+        <source>Between the cursors: %1</source>
+        <translation>Zwischen den Marken: %1</translation>
+    </message>
+    <message>
+        <source>Between the cursors (mark one with Shift and a click)</source>
+        <translation>Zwischen den Marken (eine mit Umschalt und Klick setzen)</translation>
+    </message>
+    <message>
+        <source>Whole run: %1</source>
+        <translation>Ganze Fahrt: %1</translation>
+    </message>
+    <message>
+        <source>Tick all shown</source>
+        <translation>Alle gezeigten ankreuzen</translation>
+    </message>
+    <message>
+        <source>Untick all shown</source>
+        <translation>Alle gezeigten abwählen</translation>
+    </message>
+    <message>
+        <source>Write...</source>
+        <translation>Schreiben ...</translation>
+    </message>
+    <message>
+        <source>Tick at least one channel.</source>
+        <translation>Mindestens einen Kanal ankreuzen.</translation>
+    </message>
+    <message>
+        <source>No recorded instant lies in this time.</source>
+        <translation>In dieser Zeit liegt kein aufgezeichneter Zeitpunkt.</translation>
+    </message>
+    <message>
+        <source>%1 columns with the time, %2 rows</source>
+        <translation>%1 Spalten mit der Zeit, %2 Zeilen</translation>
     </message>
 </context>
 <context>
@@ -2460,6 +2555,22 @@
         <source>Save film</source>
         <translation>Film speichern</translation>
     </message>
+    <message>
+        <source>&amp;Channels as CSV...</source>
+        <translation>&amp;Kanäle als CSV ...</translation>
+    </message>
+    <message>
+        <source>Write chosen channels of the visible time, or all of it, as a table</source>
+        <translation>Gewählte Kanäle der sichtbaren oder der ganzen Zeit als Tabelle schreiben</translation>
+    </message>
+    <message>
+        <source>Add recordin&amp;g to compare...</source>
+        <translation>Auf&amp;zeichnung zum Vergleich hinzufügen ...</translation>
+    </message>
+    <message>
+        <source>Hold a recording beside the run on show; the project stays</source>
+        <translation>Eine Aufzeichnung neben die gezeigte Fahrt stellen; das Projekt bleibt</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MassPanel</name>
@@ -2509,7 +2620,7 @@
     </message>
 </context>
 <context>
-    <name>widgets::MobilityPanel</name>
+    <name>widgets::MobilityList</name>
     <message>
         <source>holds the turn about %1</source>
         <translation>hält die Drehung um %1</translation>
@@ -2520,8 +2631,95 @@
     </message>
     <message>
         <source>holds the slide along %1</source>
-        <translation>hält die Verschiebung längs %1</translation>
+        <translation>hält die Verschiebung entlang %1</translation>
     </message>
+    <message>
+        <source>torque about %1: not only from the loads</source>
+        <translation>Moment um %1: nicht allein aus den Lasten</translation>
+    </message>
+    <message>
+        <source>torque of the gear: not only from the loads</source>
+        <translation>Moment des Getriebes: nicht allein aus den Lasten</translation>
+    </message>
+    <message>
+        <source>force along %1: not only from the loads</source>
+        <translation>Kraft entlang %1: nicht allein aus den Lasten</translation>
+    </message>
+    <message>
+        <source>Constraints that could go</source>
+        <translation>Bedingungen, die entfallen könnten</translation>
+    </message>
+    <message>
+        <source>Loops, one at a time</source>
+        <translation>Schleifen, einzeln</translation>
+    </message>
+    <message>
+        <source>Reactions and self-stress</source>
+        <translation>Reaktionen und Eigenspannung</translation>
+    </message>
+    <message>
+        <source>What lies behind the counts</source>
+        <translation>Was hinter den Zahlen steht</translation>
+    </message>
+    <message>
+        <source>No constraint repeats what others hold.</source>
+        <translation>Keine Bedingung wiederholt, was andere halten.</translation>
+    </message>
+    <message>
+        <source>Removing any one of these gives no new motion. The bar is the constraint&apos;s share in the self-stress: 100 % is wholly redundant.</source>
+        <translation>Entfällt eine davon, entsteht keine neue Bewegung. Der Balken ist der Anteil der Bedingung an der Eigenspannung: 100 % ist ganz redundant.</translation>
+    </message>
+    <message>
+        <source>No joints form a loop.</source>
+        <translation>Keine Gelenke bilden eine Schleife.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 loops&lt;/b&gt;, each counted alone with one of its bodies held</source>
+        <translation>&lt;b&gt;%1 Schleifen&lt;/b&gt;, jede für sich gezählt, einer ihrer Körper gehalten</translation>
+    </message>
+    <message>
+        <source>The shortest independent loops. The ground is one body, a wheel&apos;s contact a joint to it. What is redundant in the whole may be more than in the loops.</source>
+        <translation>Die kürzesten unabhängigen Schleifen. Der Boden ist ein Körper, der Kontakt eines Rades ein Gelenk zu ihm. Im Ganzen kann mehr redundant sein als in den Schleifen.</translation>
+    </message>
+    <message>
+        <source>Grübler %1, rank %2, mobility %3, redundant %4</source>
+        <translation>Grübler %1, Rang %2, Laufgrad %3, redundant %4</translation>
+    </message>
+    <message>
+        <source>Gear %1: %2</source>
+        <translation>Getriebe %1: %2</translation>
+    </message>
+    <message>
+        <source>Loop %1: %2</source>
+        <translation>Schleife %1: %2</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>%1 redundant</source>
+        <translation>%1 redundant</translation>
+    </message>
+    <message>
+        <source>Known: components of the reaction that every equilibrium has in common. The bar is the part of the self-stress that is in the joint, 100 % over all joints.</source>
+        <translation>Bekannt: Komponenten der Reaktion, die in jedem Gleichgewicht gleich sind. Der Balken ist der Teil der Eigenspannung, der im Gelenk steckt, 100 % über alle Gelenke.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 known</source>
+        <translation>%1: %2 von %3 bekannt</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1 removable&lt;/b&gt;, %2 of them together</source>
+        <translation>&lt;b&gt;%1 entbehrlich&lt;/b&gt;, davon %2 zugleich</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;1 loop&lt;/b&gt;, counted alone with one body held</source>
+        <translation>&lt;b&gt;1 Schleife&lt;/b&gt;, für sich gezählt, ein Körper gehalten</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MobilityPanel</name>
     <message>
         <source>Joints by their freedoms, wheel contacts counted:</source>
         <translation>Gelenke nach ihren Freiheiten, Radkontakte mitgezählt:</translation>
@@ -2529,14 +2727,6 @@
     <message>
         <source>Verdict on mobility</source>
         <translation>Urteil zum Laufgrad</translation>
-    </message>
-    <message>
-        <source>Removing any one of these gives no new motion. The bar is the constraint&apos;s share in the self-stress: 100 % is wholly redundant.</source>
-        <translation>Entfällt eine davon, entsteht keine neue Bewegung. Der Balken ist der Anteil der Bedingung am Eigenspannungszustand: 100 % ist ganz redundant.</translation>
-    </message>
-    <message>
-        <source>Removable constraints</source>
-        <translation>Entbehrliche Zwangsbedingungen</translation>
     </message>
     <message>
         <source>As built</source>
@@ -2637,10 +2827,6 @@ Sie stehen unter Probleme.</translation>
         <translation>Bestimmt, %1 leere Freiheiten</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1 removable constraints&lt;/b&gt;: any one may go, %2 of them together</source>
-        <translation>&lt;b&gt;%1 entbehrliche Zwangsbedingungen&lt;/b&gt;: jede einzelne darf entfallen, %2 davon gemeinsam</translation>
-    </message>
-    <message>
         <source>Cannot move: the constraints hold every body.</source>
         <translation>Unbeweglich: Die Zwangsbedingungen halten jeden Körper.</translation>
     </message>
@@ -2699,6 +2885,86 @@ Sie stehen unter Probleme.</translation>
     <message>
         <source>How it moves, to look at</source>
         <translation>Wie er sich bewegt, zum Ansehen</translation>
+    </message>
+    <message>
+        <source>Whole rover</source>
+        <translation>Ganzer Rover</translation>
+    </message>
+    <message>
+        <source>Selection</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>What the counts are of</source>
+        <translation>Wovon die Zahlen sind</translation>
+    </message>
+    <message>
+        <source>The whole rover, or only the parts selected in the tree and the joints between them</source>
+        <translation>Der ganze Rover, oder nur die im Baum gewählten Teile und die Gelenke zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>Nothing to count</source>
+        <translation>Nichts zu zählen</translation>
+    </message>
+    <message>
+        <source>Select parts that a joint connects, a joint, or a wheel with its contact: in the tree with Ctrl, or in the 3-D view.</source>
+        <translation>Teile wählen, die ein Gelenk verbindet, ein Gelenk oder ein Rad mit seinem Kontakt: mit Strg im Baum oder in der 3D-Ansicht.</translation>
+    </message>
+    <message>
+        <source>%1 pieces that no joint connects.</source>
+        <translation>%1 Stücke, die kein Gelenk verbindet.</translation>
+    </message>
+    <message>
+        <source>Nothing in it moves.</source>
+        <translation>Nichts darin bewegt sich.</translation>
+    </message>
+    <message>
+        <source>With %1 held nothing in it moves.</source>
+        <translation>Ist %1 gehalten, bewegt sich nichts darin.</translation>
+    </message>
+    <message>
+        <source>It moves with 1 freedom.</source>
+        <translation>Es bewegt sich mit 1 Freiheit.</translation>
+    </message>
+    <message>
+        <source>It moves with %1 freedoms.</source>
+        <translation>Es bewegt sich mit %1 Freiheiten.</translation>
+    </message>
+    <message>
+        <source>With %1 held it moves with 1 freedom.</source>
+        <translation>Ist %1 gehalten, bewegt es sich mit 1 Freiheit.</translation>
+    </message>
+    <message>
+        <source>With %1 held it moves with %2 freedoms.</source>
+        <translation>Ist %1 gehalten, bewegt es sich mit %2 Freiheiten.</translation>
+    </message>
+    <message>
+        <source>1 of its constraints repeats what its others already hold.</source>
+        <translation>1 seiner Bedingungen wiederholt, was die anderen schon halten.</translation>
+    </message>
+    <message>
+        <source>%1 of its constraints repeat what its others already hold.</source>
+        <translation>%1 seiner Bedingungen wiederholen, was die anderen schon halten.</translation>
+    </message>
+    <message>
+        <source>Nothing in it is redundant.</source>
+        <translation>Nichts darin ist redundant.</translation>
+    </message>
+    <message>
+        <source>Every reaction follows from the loads.</source>
+        <translation>Jede Reaktion folgt aus den Lasten.</translation>
+    </message>
+    <message>
+        <source>Of %1 components of reactions the loads determine %2. The others cannot be known: they depend on play, stiffness and errors of manufacture.</source>
+        <translation>Von %1 Komponenten der Reaktionen bestimmen die Lasten %2. Die anderen kann man nicht kennen: Sie hängen von Spiel, Steifigkeit und Fertigungsfehlern ab.</translation>
+    </message>
+    <message>
+        <source>Nothing is known of %1.</source>
+        <translation>Nichts ist bekannt von %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is known of %1 and %2 more.</source>
+        <translation>Nichts ist bekannt von %1 und %2 weiteren.</translation>
     </message>
 </context>
 <context>
@@ -3378,6 +3644,10 @@ oder in der 3-D-Ansicht auswählen.</translation>
     <message>
         <source>It was recorded with version %1, this is %2.</source>
         <translation>Aufgezeichnet wurde sie mit Version %1, dies ist %2.</translation>
+    </message>
+    <message>
+        <source>Add recording to compare</source>
+        <translation>Aufzeichnung zum Vergleich hinzufügen</translation>
     </message>
 </context>
 <context>

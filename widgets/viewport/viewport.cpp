@@ -309,10 +309,11 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     const render::Pick pick = pickAt(event->position());
+    const bool more = event->modifiers().testFlag(Qt::ControlModifier);
     if (pick.joint >= 0) {
-        emit jointPicked(pick.joint);
+        emit jointPicked(pick.joint, more);
     } else {
-        emit bodyPicked(pick.body);
+        emit bodyPicked(pick.body, more);
     }
 }
 

@@ -58,8 +58,10 @@ class Viewport : public QOpenGLWidget {
     void setOrthographic(bool on);
 
   signals:
-    void jointPicked(int joint);  ///< index in the mechanism
-    void bodyPicked(int body);    ///< index in the mechanism; -1: the click hit no rover
+    /// Index in the mechanism; `more`: beside what is selected (Ctrl).
+    void jointPicked(int joint, bool more = false);
+    /// Index in the mechanism; -1: the click hit no rover.
+    void bodyPicked(int body, bool more = false);
     void frameDrawn(double milliseconds);
 
   protected:

@@ -41,6 +41,7 @@
 #include "widgets/session/run_bar.h"
 #include "widgets/session/run_library.h"
 #include "widgets/session/statics_session.h"
+#include "widgets/session/way_reviewer.h"
 #include "widgets/window/action_registry.h"
 #include "widgets/window/drag_editor.h"
 #include "widgets/window/file_commands.h"
@@ -84,6 +85,7 @@ MainWindow::MainWindow()
       library_(new RunLibrary(this)),
       experiment_(new Experiment(session_, library_, this)),
       statics_(new StaticsSession(this)),
+      ways_(new WayReviewer(this)),
       scene_(std::make_shared<render::Scene>()),
       actions_(new ActionRegistry(this)),
       files_(new FileCommands(document_, this)),
@@ -114,6 +116,7 @@ MainWindow::MainWindow()
 MainWindow::~MainWindow() {
     // Closing hides the panel: its pose must not leave a picture that is gone.
     statics_->setActive(false);
+    ways_->setActive(false);
     mobility_->motions().stop();
     disconnect(mobility_, nullptr, this, nullptr);
     // The scene's graphics objects go while the viewport still has its context.
@@ -306,6 +309,8 @@ void MainWindow::connectParts() {
     connect(files_, &FileCommands::recentFilesChanged, this, &MainWindow::updateRecent);
 
     connect(tree_, &PartsTree::elementSelected, this, &MainWindow::selectElement);
+    connect(tree_, &PartsTree::selectionChanged, mobility_,
+            [this] { mobility_->setSelection(tree_->selection()); });
     connect(tree_, &PartsTree::refused, this, &MainWindow::tell);
     connect(tree_, &PartsTree::message, this, &MainWindow::tell);
     connect(properties_, &PropertyPanel::refused, this, &MainWindow::tell);
@@ -338,11 +343,22 @@ void MainWindow::connectParts() {
     connect(compare_, &ComparePanel::startRequested, this, &MainWindow::runExperiment);
     connect(compare_, &ComparePanel::keepRequested, this,
             [this] { library_->keep(*session_, document_->project()); });
+    connect(compare_, &ComparePanel::addRequested, actions_->at("addRecording"), &QAction::trigger);
+    connect(compare_, &ComparePanel::saveRequested, recordings_,
+            qOverload<const RunSession&>(&RecordingCommands::save));
+    connect(recordings_, &RecordingCommands::added, this,
+            [this](const std::shared_ptr<RecordedRun>& run) {
+                library_->hold(std::move(*run), document_->project());
+                showPanel("compare");
+            });
     connect(document_, &Document::changed, library_,
             [this] { library_->setProject(document_->project()); });
     connect(document_, &Document::replaced, library_, &RunLibrary::clear);
     connect(staticsDock_, &QDockWidget::visibilityChanged, statics_, &StaticsSession::setActive);
     connect(statics_, &StaticsSession::shownChanged, this, &MainWindow::showStatics);
+    connect(problemsDock_, &QDockWidget::visibilityChanged, ways_, &WayReviewer::setActive);
+    connect(ways_, &WayReviewer::findingsChanged, problems_,
+            [this] { problems_->setMoreFindings(ways_->findings()); });
     const auto updateForRun = [this] {
         const bool recorded = session_->recorded() != nullptr;
         actions_->at("saveRecording")->setEnabled(session_->hasRun() && !recorded);
@@ -372,10 +388,12 @@ void MainWindow::connectParts() {
         connect(dragEditor_, &DragEditor::elementChosen, this, &MainWindow::selectElement);
         connect(link_, &SceneLink::shownChanged, this,
                 [this] { dragEditor_->setDesignShown(link_->showsDrawnPose()); });
-        connect(viewport_, &Viewport::jointPicked, this,
-                [this](int joint) { selectJoint(nameAt(link_->mechanism().joints, joint)); });
-        connect(viewport_, &Viewport::bodyPicked, this,
-                [this](int body) { selectBody(nameAt(link_->mechanism().bodies, body)); });
+        connect(viewport_, &Viewport::jointPicked, this, [this](int joint, bool more) {
+            selectJoint(nameAt(link_->mechanism().joints, joint), more);
+        });
+        connect(viewport_, &Viewport::bodyPicked, this, [this](int body, bool more) {
+            selectBody(nameAt(link_->mechanism().bodies, body), more);
+        });
         viewport_->setFollow(true);
     }
 }
@@ -429,6 +447,7 @@ void MainWindow::onProjectChanged() {
     } else if (session_->hasRun()) {
         session_->setStale(true);
     }
+    ways_->setSubject(document_->project(), document_->files());
     updateController();
     updateStatics();
     updateStatus();
@@ -557,20 +576,23 @@ void MainWindow::selectInMobility(const std::string& joint) {
     mobility_->selectJoint(mechanism ? mechanism->findJoint(joint) : -1);
 }
 
-void MainWindow::selectJoint(const std::string& joint) {
+void MainWindow::selectJoint(const std::string& joint, bool more) {
     link_->highlightJoint(joint);
     if (joint.empty()) {
         return;
     }
     const ElementRef element =
         simcore::project::findElement(document_->project(), "joint " + joint);
-    tree_->select(element);
+    more ? tree_->toggle(element) : tree_->select(element);
     properties_->setElement(element);
     editors_->setCurrentWidget(properties_);
     selectInMobility(joint);
 }
 
-void MainWindow::selectBody(const std::string& body) {
+void MainWindow::selectBody(const std::string& body, bool more) {
+    if (more && body.empty()) {
+        return;  // a click beside the rover while collecting parts
+    }
     link_->highlightBody(body);
     mobility_->selectJoint(-1);
     if (body.empty()) {
@@ -578,7 +600,7 @@ void MainWindow::selectBody(const std::string& body) {
         return;
     }
     const ElementRef element = simcore::project::findElement(document_->project(), "body " + body);
-    tree_->select(element);
+    more ? tree_->toggle(element) : tree_->select(element);
     properties_->setElement(element);
     editors_->setCurrentWidget(properties_);
 }

@@ -38,6 +38,7 @@ class RunLibrary;
 class SceneLink;
 class StaticsPanel;
 class StaticsSession;
+class WayReviewer;
 
 /// The studio: editors on the left, the 3D view in the middle, what follows from the design on the
 /// right, run and plots at the bottom.
@@ -131,9 +132,9 @@ class MainWindow : public QMainWindow {
     void updateIcons();
     void updateRecent();
     void selectElement(simcore::project::ElementRef element);
-    /// Names are those of joints and parts; "" = none.
-    void selectJoint(const std::string& joint);
-    void selectBody(const std::string& body);
+    /// Names are those of joints and parts; "" = none. `more`: beside what is selected already.
+    void selectJoint(const std::string& joint, bool more = false);
+    void selectBody(const std::string& body, bool more = false);
     void selectInMobility(const std::string& joint);
     void setDragging(bool on);
     void setOverlay(bool render::Overlays::*overlay, bool on);
@@ -156,6 +157,7 @@ class MainWindow : public QMainWindow {
     RunLibrary* library_;
     Experiment* experiment_;
     StaticsSession* statics_;
+    WayReviewer* ways_;
     std::shared_ptr<render::Scene> scene_;
     ActionRegistry* actions_;
     FileCommands* files_;

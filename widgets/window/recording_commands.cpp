@@ -89,14 +89,39 @@ Problems RecordingCommands::load(const QString& file) {
     return loaded.problems();
 }
 
-void RecordingCommands::save() {
+void RecordingCommands::add() {
+    const QString file = QFileDialog::getOpenFileName(window_, tr("Add recording to compare"),
+                                                      startFolder(), tr(kFilter));
+    if (!file.isEmpty()) {
+        addFile(file);
+    }
+}
+
+bool RecordingCommands::addFile(const QString& file) {
+    const Loaded loaded = read(file);
+    if (!loaded) {
+        files_->complain(tr("The recording cannot be opened"), loaded.problems());
+        return false;
+    }
+    if (*loaded == nullptr) {
+        return false;  // stopped by the user
+    }
+    emit added(*loaded);
+    QSettings().setValue(kFolderKey, QFileInfo(file).absolutePath());
+    if (!loaded.problems().empty()) {
+        files_->complain(tr("The recording is not whole"), loaded.problems());
+    }
+    return true;
+}
+
+void RecordingCommands::save(const RunSession& run) {
     // What is in the run now, not when a name has been found.
-    const auto copy = session_->copyRun();
+    const auto copy = run.copyRun();
     if (!copy) {
         files_->complain(tr("The run cannot be saved"), copy.problems());
         return;
     }
-    const auto& settings = session_->settings();
+    const auto& settings = run.settings();
     const QString name = QString::fromStdString(settings.mechanism.name + "-" + settings.scenario)
                              .toLower()
                              .replace(QRegularExpression("[^\\w-]+"), "-");

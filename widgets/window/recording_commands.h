@@ -26,8 +26,16 @@ class RecordingCommands : public QObject {
     bool openFile(const QString& file);
     /// The same without any question: problems instead, critical when it was not opened.
     simcore::Problems load(const QString& file);
+    /// Asks for a recording and reads it, to be held beside the run on show; the project stays.
+    void add();
+    /// The same of this file. False when it could not be read; says why.
+    bool addFile(const QString& file);
+
     /// Asks for a file and saves what is in the run by then.
-    void save();
+    void save() { save(*session_); }
+
+    /// The same of another run, such as a kept one.
+    void save(const RunSession& run);
     /// False when it was not saved; says why.
     bool saveTo(const QString& file);
     /// Runs the opened recording again and says whether it is the same run.
@@ -36,6 +44,8 @@ class RecordingCommands : public QObject {
   signals:
     /// A recording was read.
     void opened(const std::shared_ptr<widgets::RecordedRun>& run);
+    /// A recording was read to be compared with.
+    void added(const std::shared_ptr<widgets::RecordedRun>& run);
     /// Something to tell in the status bar.
     void message(const QString& text);
 

@@ -1,8 +1,12 @@
 #include "widgets/window/theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
+#include <algorithm>
 
 namespace widgets {
 namespace {
@@ -58,11 +62,58 @@ QPalette paletteOf(const Colors& c) {
     return palette;
 }
 
+/// Fusion with boxes to tick that can be seen on a dark ground: its own are outlined in a darker
+/// tone than the window's.
+class VisibleBoxes : public QProxyStyle {
+  public:
+    VisibleBoxes() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        if (element != PE_IndicatorCheckBox && element != PE_IndicatorItemViewItemCheck) {
+            QProxyStyle::drawPrimitive(element, option, painter, widget);
+            return;
+        }
+        const bool enabled = option->state.testFlag(State_Enabled);
+        const bool some = option->state.testFlag(State_NoChange);
+        const bool on = some || option->state.testFlag(State_On);
+        const QPalette& palette = option->palette;
+        const QPalette::ColorGroup group = enabled ? QPalette::Active : QPalette::Disabled;
+        const QColor fill = palette.color(group, on ? QPalette::Highlight : QPalette::Base);
+        const bool under =
+            option->state.testFlag(State_Selected) && element == PE_IndicatorItemViewItemCheck;
+        const QColor line = under ? palette.color(QPalette::HighlightedText)
+                            : on  ? fill
+                                  : palette.color(group, QPalette::PlaceholderText);
+        const double side = std::min({option->rect.width(), option->rect.height(), 14}) - 1.0;
+        QRectF box(0.0, 0.0, side, side);
+        box.moveCenter(QRectF(option->rect).center());
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        const bool focus = option->state.testFlag(State_HasFocus);
+        painter->setPen(QPen(focus ? palette.color(QPalette::Text) : line, 1.0));
+        painter->setBrush(fill);
+        painter->drawRoundedRect(box, 2.0, 2.0);
+        painter->setPen(QPen(palette.color(group, QPalette::HighlightedText), 1.8, Qt::SolidLine,
+                             Qt::RoundCap, Qt::RoundJoin));
+        painter->setBrush(Qt::NoBrush);
+        const auto at = [&box](double x, double y) {
+            return box.topLeft() + QPointF(x * box.width(), y * box.height());
+        };
+        if (some) {
+            painter->drawLine(at(0.25, 0.5), at(0.75, 0.5));
+        } else if (on) {
+            painter->drawPolyline(QPolygonF({at(0.22, 0.52), at(0.42, 0.72), at(0.78, 0.28)}));
+        }
+        painter->restore();
+    }
+};
+
 }  // namespace
 
 void applyTheme(QApplication& application, Theme theme) {
     const Colors c = colorsOf(theme);
-    application.setStyle(QStyleFactory::create("Fusion"));
+    application.setStyle(new VisibleBoxes);
     application.setPalette(paletteOf(c));
     application.setStyleSheet(
         QString("QLabel#headline, QLabel#staticsVerdict, QLabel#compareVerdict, "

@@ -82,6 +82,9 @@ void MainWindow::makeFileActions() {
                   [this] { recordings_->save(); });
     actions_->add("exportCsv", tr("Run as &CSV..."), {QKeySequence("Ctrl+E")},
                   tr("Write the recorded run as a table"), [this] { plots_->exportCsv(); });
+    actions_->add("exportChannels", tr("&Channels as CSV..."), {QKeySequence("Ctrl+Alt+E")},
+                  tr("Write chosen channels of the visible time, or all of it, as a table"),
+                  [this] { plots_->exportChannels(); });
     actions_->add("exportPlots", tr("&Plots as picture..."), {},
                   tr("Save the plots as PNG, SVG or PDF"), [this] { plots_->exportPicture(); });
     actions_->add("copyPlots", tr("Copy pl&ots"), {QKeySequence("Ctrl+Shift+P")},
@@ -287,6 +290,9 @@ void MainWindow::makeRunActions() {
                       library_->keep(*session_, document_->project());
                       showPanel("compare");
                   });
+    actions_->add("addRecording", tr("Add recordin&g to compare..."), {QKeySequence("Ctrl+Alt+K")},
+                  tr("Hold a recording beside the run on show; the project stays"),
+                  [this] { recordings_->add(); });
     actions_->add("experiment", tr("Run two &controllers"), {QKeySequence("Ctrl+Shift+K")},
                   tr("Drive the scenario with the chosen controller and its rival, side by side"),
                   [this] {
@@ -353,7 +359,7 @@ void MainWindow::makeMenus() {
     file->addSeparator();
     fill(file, {"save", "saveAs", "saveRecording", ""});
     QMenu* exports = file->addMenu(tr("&Export"));
-    fill(exports, {"exportCsv", "exportPlots", "screenshot", "exportFilm"});
+    fill(exports, {"exportCsv", "exportChannels", "exportPlots", "screenshot", "exportFilm"});
     fill(file, {"", "quit"});
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));
     fill(edit,
@@ -374,8 +380,8 @@ void MainWindow::makeMenus() {
     view->addMenu(languageMenu_);
     fill(view, {"resetLayout", "fullScreen"});
     fill(menuBar()->addMenu(tr("&Run")),
-         {"playPause", "step", "stepBack", "live", "reset", "runAgain", "", "keepRun", "experiment",
-          "", "faster", "slower", "", "showDesign"});
+         {"playPause", "step", "stepBack", "live", "reset", "runAgain", "", "keepRun",
+          "addRecording", "experiment", "", "faster", "slower", "", "showDesign"});
     fill(menuBar()->addMenu(tr("&Analyze")), {"showMobility", "advise", "showMotions", "showGraph",
                                               "showStatics", "showCompare", "showProblems"});
     fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "system", "", "about"});

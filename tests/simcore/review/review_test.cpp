@@ -1,5 +1,6 @@
 // Every check finds what it is for, and not more.
 #include "simcore/review/review.h"
+#include "simcore/review/way_review.h"
 
 #include <algorithm>
 #include <set>
@@ -175,4 +176,63 @@ TEST(ReviewTest, SlopesBeyondFrictionAndTorque) {
     project.scenarios[0].terrain.kind = TerrainKind::CrossSlope;
     EXPECT_THAT(findingsOf(project), Not(Contains(kind("torque"))));
     EXPECT_THAT(findingsOf(project), Contains(kind("friction")));
+}
+
+namespace {
+
+/// The cart before a step.
+Project beforeStep(double height, double friction, double torque) {
+    Project project = cart();
+    Scenario& scenario = project.scenarios[0];
+    scenario.terrain.kind = TerrainKind::Step;
+    scenario.terrain.start = 0.6;
+    scenario.terrain.height = height;
+    scenario.terrain.length = 2.0;
+    scenario.run.distance = 1.5;
+    scenario.soil.friction = friction;
+    for (Wheel& wheel : project.rover.wheels) {
+        wheel.motor.torqueLimit = torque;
+    }
+    return project;
+}
+
+}  // namespace
+
+// A step of 30 mm: strong motors on good ground climb it, weak ones or slippery ground do not.
+TEST(WayReviewTest, StepsBeyondFrictionAndTorque) {
+    EXPECT_THAT(review::reviewWay(beforeStep(0.03, 0.9, 10.0), "go"), IsEmpty());
+
+    const auto slippery = review::reviewWay(beforeStep(0.03, 0.2, 10.0), "go");
+    ASSERT_EQ(slippery.size(), 1U);
+    EXPECT_EQ(slippery[0].kind, "friction");
+    EXPECT_EQ(slippery[0].element, "scenario go");
+    EXPECT_EQ(slippery[0].value, 0.2);
+    EXPECT_GT(slippery[0].limit, 0.2);
+    // It is exactly what the ground must give.
+    const double enough = slippery[0].limit + 0.001;
+    EXPECT_THAT(review::reviewWay(beforeStep(0.03, enough, 10.0), "go"), IsEmpty());
+
+    const auto weak = review::reviewWay(beforeStep(0.03, 0.9, 0.5), "go");
+    ASSERT_EQ(weak.size(), 1U);
+    EXPECT_EQ(weak[0].kind, "torque");
+    EXPECT_EQ(weak[0].value, 0.5);
+    EXPECT_GT(weak[0].limit, 0.5);
+    EXPECT_THAT(weak[0].reason, HasSubstr("its motor gives 0.50 N m"));
+    EXPECT_THAT(review::reviewWay(beforeStep(0.03, 0.9, weak[0].limit + 0.001), "go"), IsEmpty());
+}
+
+TEST(WayReviewTest, WhatIsEvenOrAnotherRoverOrGivenUpIsNotLookedAt) {
+    Project project = beforeStep(0.03, 0.2, 10.0);
+    EXPECT_THAT(review::reviewWay(project, "nowhere"), IsEmpty());
+    EXPECT_THAT(review::reviewWay(project, "go", {}, [] { return false; }), IsEmpty());
+    project.scenarios[0].terrain.kind = TerrainKind::Flat;
+    EXPECT_FALSE(review::hasObstacles(project.scenarios[0]));
+    EXPECT_THAT(review::reviewWay(project, "go"), IsEmpty());
+}
+
+// Higher than anything a wheel of 0.1 m can climb against.
+TEST(WayReviewTest, AWallThatNoFrictionClimbsIsTold) {
+    const auto wall = review::reviewWay(beforeStep(0.5, 0.9, 10.0), "go");
+    ASSERT_EQ(wall.size(), 1U);
+    EXPECT_EQ(wall[0].kind, "friction");
 }
