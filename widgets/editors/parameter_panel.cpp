@@ -74,9 +74,12 @@ ParameterPanel::ParameterPanel(Document* document, QWidget* parent)
       scroll_(new QScrollArea(this)),
       message_(new QLabel(this)),
       none_(new QLabel(tr("This rover has no parameters."), this)) {
+    filter_->setObjectName("parameterFilter");
     filter_->setPlaceholderText(tr("Filter parameters"));
     filter_->setAccessibleName(tr("Filter parameters"));
     filter_->setClearButtonEnabled(true);
+    scroll_->setObjectName("parameterList");
+    scroll_->setAccessibleName(tr("Parameters"));
     scroll_->setWidgetResizable(true);
     scroll_->setFrameShape(QFrame::NoFrame);
     scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -210,6 +210,7 @@ QWidget* ComparePanel::makeRuns() {
     table_->setAccessibleName(tr("What the runs came to"));
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setSelectionMode(QAbstractItemView::NoSelection);
+    table_->setCornerButtonEnabled(false);
     table_->setShowGrid(false);
     table_->setAlternatingRowColors(true);
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
@@ -357,6 +358,10 @@ void ComparePanel::fillTable() {
 void ComparePanel::fillCells() {
     std::vector<Outcome> outcomes;
     for (const RunSession* run : columns_) {
+        if (!run->hasRun()) {
+            return;  // dropped just now: others heard of it first, the table is about to be made
+                     // anew
+        }
         outcomes.push_back(outcomeOf(*run));
     }
     const bool allEnded =

@@ -124,6 +124,8 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     headline_->setObjectName("headline");
     headline_->setWordWrap(true);
     headline_->setAccessibleName(tr("Verdict on mobility"));
+    verdict_->setObjectName("mobilityVerdict");
+    verdict_->setAccessibleName(tr("Verdict on mobility, in words"));
     verdict_->setWordWrap(true);
     verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     unavailable_->setWordWrap(true);

@@ -83,6 +83,7 @@ QToolButton* transportButton(QAction* action) {
     button->setDefaultAction(action);
     button->setAutoRaise(true);
     button->setIconSize({20, 20});
+    button->setObjectName(action->objectName() + "Button");
     button->setAccessibleName(action->text());
     button->setFocusPolicy(Qt::TabFocus);
     return button;

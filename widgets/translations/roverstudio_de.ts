@@ -2460,6 +2460,10 @@
         <source>Save film</source>
         <translation>Film speichern</translation>
     </message>
+    <message>
+        <source>Parameters and properties</source>
+        <translation>Parameter und Eigenschaften</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MassPanel</name>
@@ -2699,6 +2703,10 @@ Sie stehen unter Probleme.</translation>
     <message>
         <source>How it moves, to look at</source>
         <translation>Wie er sich bewegt, zum Ansehen</translation>
+    </message>
+    <message>
+        <source>Verdict on mobility, in words</source>
+        <translation>Urteil über die Beweglichkeit, in Worten</translation>
     </message>
 </context>
 <context>

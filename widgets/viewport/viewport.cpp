@@ -67,6 +67,7 @@ Viewport::Viewport(std::shared_ptr<render::Scene> scene, QWidget* parent)
       scene_(std::move(scene)),
       gl_(std::make_unique<Gl>()) {
     setFocusPolicy(Qt::StrongFocus);
+    setObjectName("viewport");
     setAccessibleName(tr("3D view"));
     gl_->viewer = new osgViewer::Viewer;
     gl_->viewer->setThreadingModel(osgViewer::Viewer::SingleThreaded);

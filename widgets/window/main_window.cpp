@@ -145,6 +145,7 @@ void MainWindow::makeDocks() {
     QDockWidget* mass = add(Qt::RightDockWidgetArea, tr("Mass"), "massDock", mass_);
     problemsDock_ = add(Qt::RightDockWidgetArea, tr("Problems"), "problemsDock", problems_);
     auto* steps = new QUndoView(&document_->undoStack());
+    steps->setObjectName("historyList");
     steps->setEmptyLabel(tr("As opened"));
     steps->setAccessibleName(tr("Steps that can be undone"));
     steps->setFrameShape(QFrame::NoFrame);
@@ -225,6 +226,7 @@ QWidget* MainWindow::makeLeftPanel() {
     editors_ = new QTabWidget;
     editors_->setDocumentMode(true);
     editors_->setObjectName("editors");
+    editors_->setAccessibleName(tr("Parameters and properties"));
     editors_->addTab(parameters_, tr("Parameters"));
     editors_->addTab(properties_, tr("Properties"));
     auto* splitter = new QSplitter(Qt::Vertical);

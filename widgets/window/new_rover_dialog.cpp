@@ -89,6 +89,7 @@ NewRoverDialog::NewRoverDialog(QWidget* parent)
     problem_->setWordWrap(true);
     problem_->setMinimumHeight(2 * fontMetrics().height());
     problem_->setAlignment(Qt::AlignTop);
+    buttons_->button(QDialogButtonBox::Cancel)->setObjectName("cancel");
     QPushButton* create = buttons_->addButton(tr("Create"), QDialogButtonBox::AcceptRole);
     create->setObjectName("create");
     create->setDefault(true);
