@@ -20,6 +20,7 @@ class WheelTable : public QTreeWidget {
 
   private:
     void setRows(int count);
+    void showSigns(const simcore::statics::Study& study);
     void showWheel(QTreeWidgetItem* item, const simcore::statics::Study& study,
                    const simcore::statics::WheelStudy& wheel, double used);
     void showBars(QTreeWidgetItem* item, const simcore::statics::Study& study,

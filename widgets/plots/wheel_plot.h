@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "simcore/run/simulation.h"
+#include "widgets/plots/wheel_marks.h"
 
 class QCPItemStraightLine;
+class QCPGraph;
 class QCPItemText;
 class QCustomPlot;
 class QPainter;
@@ -79,7 +81,9 @@ class WheelPlot {
     std::optional<double> timeAt(double x, double y) const;
 
   private:
+    void placeMarks(double from, double to);
     void colorChassisCurves(const QColor& color);
+    void colorMarks(const QColor& paper);
     void setColors(const QColor& text, const QColor& background, const QColor& grid);
 
     QCustomPlot* plot_;
@@ -88,8 +92,11 @@ class WheelPlot {
     QCPItemStraightLine* reference_;
     QCPItemText* hint_;
     ShownQuantity quantity_;
-    std::size_t objects_ = 0;   ///< curves a run
-    std::vector<int> columns_;  ///< channel of every curve, run by run
+    std::size_t objects_ = 0;        ///< curves a run
+    std::vector<int> columns_;       ///< channel of every curve, run by run
+    std::vector<QCPGraph*> curves_;  ///< run by run
+    std::vector<QCPGraph*> marks_;   ///< on the curves, which lie below all of them
+    std::vector<WheelMark> signs_;   ///< of the wheels; none for the chassis
     QColor text_, background_, grid_;
 };
 
