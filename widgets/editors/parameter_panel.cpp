@@ -1,10 +1,12 @@
 #include "widgets/editors/parameter_panel.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QSlider>
+#include <QStyle>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <algorithm>
@@ -100,6 +102,22 @@ ParameterPanel::ParameterPanel(Document* document, QWidget* parent)
     rebuild();
 }
 
+/// Sliders are to be seen whole, unless somebody's names are very long.
+void ParameterPanel::fitWidth() {
+    constexpr int kMostLines = 30;
+    const int wanted = scroll_->widget()->minimumSizeHint().width() +
+                       style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    scroll_->setMinimumWidth(std::min(wanted, kMostLines * fontMetrics().height()));
+}
+
+void ParameterPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange && scroll_ != nullptr && scroll_->widget() != nullptr) {
+        // The fields have the new font after this.
+        QMetaObject::invokeMethod(this, &ParameterPanel::fitWidth, Qt::QueuedConnection);
+    }
+}
+
 void ParameterPanel::rebuild() {
     rows_.clear();
     auto* content = new QWidget;
@@ -122,7 +140,7 @@ void ParameterPanel::rebuild() {
         slider->setAccessibleName(tr("Slider of %1").arg(name));
         slider->setObjectName("slider:" + name);
         slider->setRange(0, kSliderSteps);
-        slider->setMinimumWidth(60);
+        slider->setMinimumWidth(44);
         slider->setFocusPolicy(Qt::TabFocus);
         label->setBuddy(field);
         grid->addWidget(label, i, 0);
@@ -139,6 +157,7 @@ void ParameterPanel::rebuild() {
     }
     grid->setRowStretch(static_cast<int>(parameters.size()), 1);
     scroll_->setWidget(content);
+    fitWidth();
     message_->hide();
     filter(filter_->text());
     refresh();

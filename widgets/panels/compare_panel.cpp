@@ -213,7 +213,7 @@ QWidget* ComparePanel::makeRuns() {
     table_->setCornerButtonEnabled(false);
     table_->setShowGrid(false);
     table_->setAlternatingRowColors(true);
-    table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
+    fitLines();
     table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     hint_ = new QLabel(
         tr("Drive a scenario, keep the run, drive again: the two stand side by side here."));
@@ -438,8 +438,15 @@ void ComparePanel::copyTable() {
     QApplication::clipboard()->setText(lines.join('\n'));
 }
 
+void ComparePanel::fitLines() {
+    table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
+}
+
 void ComparePanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && runs_ != nullptr) {
+        fillRuns();
+    } else if (event->type() == QEvent::FontChange && table_ != nullptr) {
+        fitLines();
         fillRuns();
     }
     QWidget::changeEvent(event);

@@ -39,6 +39,7 @@ class ComparePanel : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
+    void fitLines();
     QWidget* makeExperiment();
     QWidget* makeRuns();
     void fillRuns();

@@ -2,12 +2,14 @@
 #include "widgets/panels/mobility_text.h"
 
 #include <QButtonGroup>
+#include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStyle>
 #include <QStyledItemDelegate>
@@ -73,7 +75,9 @@ class ShareDelegate : public QStyledItemDelegate {
         if (!share.isValid()) {
             return;
         }
-        const QRectF place = QRectF(option.rect).adjusted(4, 6, -38, -6);
+        const QRectF place =
+            QRectF(option.rect)
+                .adjusted(4, 6, -4 - option.fontMetrics.horizontalAdvance("100 %"), -6);
         const bool selected = option.state.testFlag(QStyle::State_Selected);
         QColor color =
             option.palette.color(selected ? QPalette::HighlightedText : QPalette::Highlight);
@@ -141,11 +145,11 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     list_->setFrameShape(QFrame::NoFrame);
     list_->setObjectName("removableList");
     list_->setAccessibleName(tr("Removable constraints"));
-    list_->setMinimumHeight(90);
+    list_->setMinimumHeight(4 * fontMetrics().height());
     list_->header()->setStretchLastSection(false);
     list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     list_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
-    list_->setColumnWidth(1, 104);
+    fitShares();
     list_->setItemDelegateForColumn(1, new ShareDelegate(list_));
 
     auto* table = new QWidget;
@@ -162,7 +166,17 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     layout->addWidget(verdict_);
     layout->addWidget(listTitle_);
     layout->addWidget(list_, 1);
-    for (QWidget* page : std::initializer_list<QWidget*>{counts, advisor_, motions_}) {
+    // In a low window, or with large text, one scrolls rather than reads squeezed lines.
+    auto* scroll = new QScrollArea;
+    scroll->setObjectName("countsScroll");
+    scroll->setAccessibleName(tr("Counts"));
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(counts);
+    scroll->setMinimumWidth(counts->minimumSizeHint().width());
+    for (QWidget* page : std::initializer_list<QWidget*>{scroll, advisor_, motions_}) {
         pages_->addWidget(page);
     }
     auto* inner = new QVBoxLayout(content_);
@@ -271,6 +285,18 @@ void MobilityPanel::connectPages() {
     });
 }
 
+/// The bar of a share and its number.
+void MobilityPanel::fitShares() {
+    list_->setColumnWidth(1, 66 + fontMetrics().horizontalAdvance("100 %"));
+}
+
+void MobilityPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::FontChange && list_ != nullptr) {
+        fitShares();
+    }
+    QWidget::changeEvent(event);
+}
+
 void MobilityPanel::buildTable(QGridLayout* grid) {
     grid->setHorizontalSpacing(4);
     grid->setVerticalSpacing(3);
@@ -311,7 +337,7 @@ void MobilityPanel::buildTable(QGridLayout* grid) {
         const Line& line = kLines.at(static_cast<std::size_t>(i));
         auto* label = new QLabel(tr(line.label));
         label->setToolTip(tr(line.tip));
-        label->setMinimumHeight(label->sizeHint().height());
+        label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
         grid->addWidget(label, i + 1, 0);
         for (int model = 0; model < 2; ++model) {
             auto* cell = new QLabel;

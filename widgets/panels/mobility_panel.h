@@ -52,7 +52,12 @@ class MobilityPanel : public QWidget {
     /// These joints and bodies of the mechanism, by name, are what the page shown is about.
     void marked(const QStringList& joints, const QStringList& bodies);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
+    void fitShares();
+
     enum Quantity { Gruebler, Parts, Rows, Rank, Mobility, Redundant, kQuantities };
 
     const simcore::mobility::Report& report() const;

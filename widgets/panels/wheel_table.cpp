@@ -1,5 +1,6 @@
 #include "widgets/panels/wheel_table.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QPainter>
 #include <QStyledItemDelegate>
@@ -105,6 +106,10 @@ WheelTable::WheelTable(QWidget* parent) : QTreeWidget(parent) {
         headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
         header()->setSectionResizeMode(column, QHeaderView::Fixed);
     }
+    fitColumns();
+}
+
+void WheelTable::fitColumns() {
     const auto widen = [this](Column column, const QString& widest) {
         const QString head = headerItem()->text(column);
         setColumnWidth(column, 12 + std::max(fontMetrics().horizontalAdvance(widest),
@@ -114,6 +119,14 @@ WheelTable::WheelTable(QWidget* parent) : QTreeWidget(parent) {
     widen(Load, "00.0 N");
     widen(Friction, ">999 %");
     widen(Torque, "−00.00");
+}
+
+void WheelTable::changeEvent(QEvent* event) {
+    QTreeWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) {
+        fitColumns();
+        setRows(topLevelItemCount());
+    }
 }
 
 void WheelTable::setRows(int count) {

@@ -40,6 +40,7 @@ using simcore::Severity;
 namespace {
 
 constexpr int kMaxPlots = 4;
+constexpr int kLeastChooser = 120;  ///< [px]; long names are cut in a narrow plot
 constexpr int kReplotPeriod_ms = 80;
 constexpr std::array kFirstChoice{"slip_abs", "torque_applied", "normal_force", "contact_angle"};
 constexpr double kWholeRun = 0.0;
@@ -111,6 +112,7 @@ struct PlotPanel::Impl {
     void schedule();
     void replotAll();
     void colors();
+    void fonts();
     void saveChoice() const;
     double end() const;
     bool onMouse(int plot, QMouseEvent* event, bool clicked);
@@ -231,6 +233,7 @@ QWidget* PlotPanel::Impl::makePlotColumn(int index) {
             q.unit == "-" ? q.label : QString("%1 [%2]").arg(q.label, prettyUnit(q.unit)),
             q.quantity);
     }
+    chooser->setMinimumWidth(kLeastChooser);
     layout->addWidget(chooser);
     plots.at(at) = std::make_unique<WheelPlot>(column);
     QCustomPlot* plot = plots.at(at)->widget();
@@ -632,6 +635,20 @@ void PlotPanel::Impl::colors() {
     replotAll();
 }
 
+void PlotPanel::Impl::fonts() {
+    for (auto& plot : plots) {
+        plot->applyFont(panel->font());
+    }
+    for (auto& row : cells) {
+        for (QLabel* cell : row) {
+            cell->setMinimumWidth(
+                panel->fontMetrics().horizontalAdvance(QString(QChar(0x2212)) + "000.0"));
+        }
+    }
+    showLegend();
+    replotAll();
+}
+
 void PlotPanel::Impl::saveChoice() const {
     QSettings settings;
     settings.setValue("plots/count", count);
@@ -846,6 +863,8 @@ void PlotPanel::fit() {
 void PlotPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && impl_ != nullptr && impl_->grid != nullptr) {
         impl_->colors();
+    } else if (event->type() == QEvent::FontChange && impl_ != nullptr && impl_->grid != nullptr) {
+        impl_->fonts();
     }
     QWidget::changeEvent(event);
 }

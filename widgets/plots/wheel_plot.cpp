@@ -8,11 +8,13 @@
 #include <numbers>
 
 #include "widgets/plots/channel_titles.h"
+#include "widgets/plots/plot_font.h"
 
 namespace widgets {
 namespace {
 
 constexpr double kMarkSize = 7.0;  ///< [pixel]
+constexpr double kMarkGap = 16.0;  ///< from one wheel's mark to the next one's [pixel]
 constexpr int kMarksInWindow = 5;  ///< a curve has about so many
 
 /// 1, 2 or 5 times a power of ten, not less than `least`.
@@ -220,7 +222,10 @@ void WheelPlot::setWindow(double from, double to) {
 /// At fixed instants, so that marks stay on their curves as the window moves on, and at others for
 /// every curve, so that they do not cover one another where curves run together.
 void WheelPlot::placeMarks(double from, double to) {
-    const double step = roundStep((to - from) / kMarksInWindow);
+    // Not so many that those of all wheels are a band in a narrow plot.
+    const double width = std::max(plot_->axisRect()->width(), 1);
+    const double room = kMarkGap * static_cast<double>(objects_) / width;
+    const double step = roundStep((to - from) * std::max(1.0 / kMarksInWindow, room));
     for (std::size_t i = 0; i < marks_.size(); ++i) {
         const auto data = curves_[i]->data();
         auto marks = marks_[i]->data();
@@ -288,6 +293,11 @@ void WheelPlot::applyColors(const QPalette& palette) {
     mouse_->setPen(QPen(mouse, 1.0, Qt::DashLine));
     reference_->setPen(QPen(palette.color(QPalette::Highlight), 1.0, Qt::DashLine));
     hint_->setColor(palette.color(QPalette::PlaceholderText));
+}
+
+void WheelPlot::applyFont(const QFont& font) {
+    setPlotFont(*plot_, font);
+    hint_->setFont(font);
 }
 
 void WheelPlot::setColors(const QColor& text, const QColor& background, const QColor& grid) {

@@ -74,6 +74,7 @@ class WheelPlot {
     void setHint(const QString& text);
     QString hint() const;
     void applyColors(const QPalette& palette);
+    void applyFont(const QFont& font);
     void replot();
     /// The same plot in light colours.
     void paint(QPainter& painter, const QRect& place);

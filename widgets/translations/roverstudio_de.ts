@@ -2464,6 +2464,38 @@
         <source>Parameters and properties</source>
         <translation>Parameter und Eigenschaften</translation>
     </message>
+    <message>
+        <source>Text size %1 %</source>
+        <translation>Textgröße %1 %</translation>
+    </message>
+    <message>
+        <source>&amp;Larger</source>
+        <translation>&amp;Größer</translation>
+    </message>
+    <message>
+        <source>Larger text in all panels, plots and dialogs</source>
+        <translation>Größerer Text in allen Feldern, Diagrammen und Dialogen</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller</source>
+        <translation>&amp;Kleiner</translation>
+    </message>
+    <message>
+        <source>Smaller text in all panels, plots and dialogs</source>
+        <translation>Kleinerer Text in allen Feldern, Diagrammen und Dialogen</translation>
+    </message>
+    <message>
+        <source>&amp;Normal</source>
+        <translation>&amp;Normal</translation>
+    </message>
+    <message>
+        <source>Text as large as the system has it</source>
+        <translation>Text so groß, wie das System ihn hat</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Te&amp;xtgröße</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MassPanel</name>

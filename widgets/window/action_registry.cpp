@@ -75,7 +75,7 @@ void showShortcuts(const ActionRegistry& actions, QWidget* parent) {
     auto* layout = new QVBoxLayout(&dialog);
     layout->addWidget(list);
     layout->addWidget(buttons);
-    dialog.resize(560, 620);
+    dialog.resize(QSize(37, 41) * dialog.fontMetrics().height());
     dialog.exec();
 }
 

@@ -47,6 +47,7 @@
 #include "widgets/window/icons.h"
 #include "widgets/window/recording_commands.h"
 #include "widgets/window/scene_link.h"
+#include "widgets/window/text_size.h"
 #include "widgets/window/theme.h"
 
 namespace widgets {
@@ -686,8 +687,27 @@ void MainWindow::setDark(bool dark) {
     }
 }
 
+void MainWindow::setTextSize(int percent) {
+    textSize_ = applyTextSize(*qApp, percent);
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+        dock->setFont(QApplication::font());  // their titles do not follow by themselves
+    }
+    constexpr int kIcon = 20;
+    const QSize icon = QSize(kIcon, kIcon) * textSize_ / 100;
+    findChild<QToolBar*>("tools")->setIconSize(icon);
+    for (QToolButton* button : runBar_->findChildren<QToolButton*>()) {
+        button->setIconSize(icon);
+    }
+    actions_->at("textLarger")->setEnabled(steppedTextSize(textSize_, 1) != textSize_);
+    actions_->at("textSmaller")->setEnabled(steppedTextSize(textSize_, -1) != textSize_);
+    if (viewport_ != nullptr) {
+        viewport_->requestRedraw();
+    }
+}
+
 void MainWindow::restoreLayout() {
     const QSettings settings;
+    setTextSize(settings.value("window/textSize", 100).toInt());
     restoreGeometry(settings.value("window/geometry").toByteArray());
     restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
     setDark(settings.value("window/dark", true).toBool());
@@ -703,6 +723,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings.setValue("window/geometry", saveGeometry());
     settings.setValue("window/state", saveState(kLayoutVersion));
     settings.setValue("window/dark", dark_);
+    settings.setValue("window/textSize", textSize_);
     files_->discardAutosave();
     event->accept();
 }
