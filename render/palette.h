@@ -24,7 +24,7 @@ inline constexpr std::array<Rgb, 8> kOkabeIto = {{
     {86, 180, 233},   // sky blue
     {204, 121, 167},  // reddish purple
     {240, 228, 66},   // yellow
-    {120, 120, 120},  // grey, in place of black
+    {96, 96, 96},     // grey, in place of black: a lighter one is like green and purple to many
 }};
 
 /// Colour of the wheel at this index of the mechanism: the same in picture, plots and tables.

@@ -291,7 +291,7 @@ void Scene::Impl::buildOverlays() {
             labels.push_back({jointPlace(i), freedomCounts[i]});
         }
     }
-    badges.set(labels, 22.0F * pixels);
+    badges.set(labels, static_cast<float>(quality.labelSize) * pixels);
     add("joint freedoms", badges.node());
 }
 
@@ -438,6 +438,10 @@ void Scene::setTheme(bool dark) {
     impl_->fogColor->set(dark ? osg::Vec3(0.050F, 0.060F, 0.078F) : osg::Vec3(0.62F, 0.56F, 0.48F));
     impl_->zenithColor->set(dark ? osg::Vec3(0.010F, 0.014F, 0.024F)
                                  : osg::Vec3(0.16F, 0.27F, 0.44F));
+}
+
+const Quality& Scene::quality() const {
+    return impl_->quality;
 }
 
 void Scene::setQuality(const Quality& quality) {

@@ -54,6 +54,7 @@ struct Quality {
     int shadowSize = 1024;    ///< side of the shadow map [px]
     int shadowTaps = 1;       ///< 1 or 4 lookups a pixel
     double pixelRatio = 1.0;  ///< device pixels per logical pixel, for lines and labels
+    double labelSize = 22.0;  ///< of the numbers at the joints [logical px]
 };
 
 /// What a ray hit.
@@ -113,6 +114,7 @@ class Scene {
     /// Sky and fog that go with a dark or a light window.
     void setTheme(bool dark);
     void setQuality(const Quality& quality);
+    const Quality& quality() const;
 
     /// Point to keep in the middle while following: centre of the rover's bounds [m].
     Vec3 focus() const;

@@ -42,6 +42,7 @@ struct Options {
     std::string controller, against;
     std::vector<std::string> actions;
     double runFor = 0.0;
+    int textSize = 0;  ///< [%]; 0: as last time
 };
 
 simcore::project::ControllerKind kindOf(const std::string& name) {
@@ -154,6 +155,9 @@ int run(const Options& options) {
     if (!options.theme.empty()) {
         window.setDark(options.theme == "dark");
     }
+    if (options.textSize > 0) {
+        window.setTextSize(options.textSize);
+    }
     if (!options.file.empty()) {
         const QString file = QString::fromStdString(options.file);
         if (!picturing) {
@@ -219,6 +223,10 @@ int main(int argc, char** argv) {
         });
     commands.add_option("--theme", options.theme, "dark or light")
         ->check(CLI::IsMember({"dark", "light"}));
+    commands
+        .add_option("--text-size", options.textSize,
+                    "size of all text [% of the system's]; else as last time, for pictures 100")
+        ->check(CLI::Range(80, 200));
     std::vector<std::string> languages;
     for (const QString& language : widgets::languages()) {
         languages.push_back(language.toStdString());

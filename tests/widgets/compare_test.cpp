@@ -66,6 +66,15 @@ class CompareTest : public testsupport::StudioTest {
 
     QTreeWidget* runList() { return find<QTreeWidget>("runList"); }
 
+    /// Graphs that are lines; marks on them are graphs of their own.
+    int curves() {
+        int count = 0;
+        for (int i = 0; i < plot()->graphCount(); ++i) {
+            count += plot()->graph(i)->lineStyle() != QCPGraph::lsNone ? 1 : 0;
+        }
+        return count;
+    }
+
     QCustomPlot* plot() { return find<QCustomPlot>("plot:0"); }
 
     /// Clicks the box of a run's line.
@@ -208,17 +217,26 @@ TEST_F(CompareTest, AKeptRunIsSavedAsARecordingAndARecordingIsHeldBesideTheRun) 
 TEST_F(CompareTest, CurvesOfKeptRunsCanBeShownAndHidden) {
     ASSERT_TRUE(driveToTheEnd());
     press(Qt::Key_K, Qt::ControlModifier);
-    ASSERT_TRUE(waitUntil([&] { return plot()->graphCount() == 12; }));
+    ASSERT_TRUE(waitUntil([&] { return curves() == 12; }));
     EXPECT_EQ(plot()->graph(0)->pen().style(), Qt::SolidLine);
     EXPECT_EQ(plot()->graph(6)->pen().style(), Qt::DashLine);
     EXPECT_EQ(plot()->graph(6)->dataCount(), plot()->graph(0)->dataCount());
+    // Every curve wears the sign of its wheel: a few marks, the same in both runs.
+    ASSERT_EQ(plot()->graphCount(), 24);
+    for (int i = 12; i < 24; ++i) {
+        QTest::qWait(0);
+        EXPECT_GE(plot()->graph(i)->dataCount(), 2);
+        EXPECT_LE(plot()->graph(i)->dataCount(), 6);
+        EXPECT_EQ(plot()->graph(i)->scatterStyle().customPath(),
+                  plot()->graph(12 + i % 6)->scatterStyle().customPath());
+    }
     EXPECT_FALSE(find<QLabel>("runLegend")->pixmap().isNull());
     clickBox(1, 1);
-    ASSERT_TRUE(waitUntil([&] { return plot()->graphCount() == 6; }));
+    ASSERT_TRUE(waitUntil([&] { return curves() == 6; }));
     EXPECT_TRUE(find<QLabel>("runLegend")->pixmap().isNull());
     // Hiding a wheel hides it in all runs.
     clickBox(1, 1);
-    ASSERT_TRUE(waitUntil([&] { return plot()->graphCount() == 12; }));
+    ASSERT_TRUE(waitUntil([&] { return curves() == 12; }));
     window->plots().setWheelShown(2, false);
     EXPECT_FALSE(plot()->graph(2)->visible());
     EXPECT_FALSE(plot()->graph(8)->visible());
@@ -256,7 +274,7 @@ TEST_F(CompareTest, QuantitiesOfTheChassisAreOneCurveARun) {
     ASSERT_TRUE(driveToTheEnd());
     press(Qt::Key_K, Qt::ControlModifier);
     window->plots().setQuantity(0, "speed");
-    ASSERT_EQ(plot()->graphCount(), 2);
+    ASSERT_EQ(curves(), 2);
     EXPECT_GT(plot()->graph(0)->dataCount(), 100);
     const auto& row = session().recording().rows.back();
     const int channel =
@@ -336,7 +354,7 @@ TEST_F(CompareTest, TwoControllersDriveSideBySideAndTheVerdictComes) {
     EXPECT_TRUE(window->scene().hasGhost());
     EXPECT_TRUE(find<QLabel>("compareVerdict")->isVisible());
     EXPECT_FALSE(find<QLabel>("compareVerdict")->text().isEmpty());
-    EXPECT_EQ(plot()->graphCount(), 12);
+    EXPECT_EQ(curves(), 12);
 
     // The same two runs, made one after the other without a window.
     simcore::run::RunRequest request = window->runBar().request();

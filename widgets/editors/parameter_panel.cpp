@@ -1,10 +1,12 @@
 #include "widgets/editors/parameter_panel.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QSlider>
+#include <QStyle>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <algorithm>
@@ -74,9 +76,12 @@ ParameterPanel::ParameterPanel(Document* document, QWidget* parent)
       scroll_(new QScrollArea(this)),
       message_(new QLabel(this)),
       none_(new QLabel(tr("This rover has no parameters."), this)) {
+    filter_->setObjectName("parameterFilter");
     filter_->setPlaceholderText(tr("Filter parameters"));
     filter_->setAccessibleName(tr("Filter parameters"));
     filter_->setClearButtonEnabled(true);
+    scroll_->setObjectName("parameterList");
+    scroll_->setAccessibleName(tr("Parameters"));
     scroll_->setWidgetResizable(true);
     scroll_->setFrameShape(QFrame::NoFrame);
     scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -95,6 +100,22 @@ ParameterPanel::ParameterPanel(Document* document, QWidget* parent)
     connect(filter_, &QLineEdit::textChanged, this, &ParameterPanel::filter);
     connect(document_, &Document::changed, this, &ParameterPanel::refresh);
     rebuild();
+}
+
+/// Sliders are to be seen whole, unless somebody's names are very long.
+void ParameterPanel::fitWidth() {
+    constexpr int kMostLines = 30;
+    const int wanted = scroll_->widget()->minimumSizeHint().width() +
+                       style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    scroll_->setMinimumWidth(std::min(wanted, kMostLines * fontMetrics().height()));
+}
+
+void ParameterPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange && scroll_ != nullptr && scroll_->widget() != nullptr) {
+        // The fields have the new font after this.
+        QMetaObject::invokeMethod(this, &ParameterPanel::fitWidth, Qt::QueuedConnection);
+    }
 }
 
 void ParameterPanel::rebuild() {
@@ -119,7 +140,7 @@ void ParameterPanel::rebuild() {
         slider->setAccessibleName(tr("Slider of %1").arg(name));
         slider->setObjectName("slider:" + name);
         slider->setRange(0, kSliderSteps);
-        slider->setMinimumWidth(60);
+        slider->setMinimumWidth(44);
         slider->setFocusPolicy(Qt::TabFocus);
         label->setBuddy(field);
         grid->addWidget(label, i, 0);
@@ -136,6 +157,7 @@ void ParameterPanel::rebuild() {
     }
     grid->setRowStretch(static_cast<int>(parameters.size()), 1);
     scroll_->setWidget(content);
+    fitWidth();
     message_->hide();
     filter(filter_->text());
     refresh();

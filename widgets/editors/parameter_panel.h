@@ -24,7 +24,12 @@ class ParameterPanel : public QWidget {
     /// Brings the parameter into view and puts the cursor into its field.
     void focusParameter(const QString& name);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
+    void fitWidth();
+
     struct Row {
         QString name;
         QLabel* label;

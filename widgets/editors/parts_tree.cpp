@@ -115,6 +115,7 @@ PartsTree::PartsTree(Document* document, QWidget* parent)
     setSelectionMode(QAbstractItemView::ExtendedSelection);
     setDragDropMode(QAbstractItemView::InternalMove);
     setDropIndicatorShown(true);
+    setObjectName("partsTree");
     setAccessibleName(tr("Parts of the project"));
     connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         if (!refreshing_ && item != nullptr) {

@@ -690,6 +690,7 @@ PropertyPanel::PropertyPanel(Document* document, QWidget* parent)
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setObjectName("properties");
     setAccessibleName(tr("Properties"));
     connect(document_, &Document::changed, this, &PropertyPanel::refresh);
     rebuild();

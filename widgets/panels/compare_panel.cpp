@@ -216,9 +216,10 @@ QWidget* ComparePanel::makeRuns() {
     table_->setAccessibleName(tr("What the runs came to"));
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setSelectionMode(QAbstractItemView::NoSelection);
+    table_->setCornerButtonEnabled(false);
     table_->setShowGrid(false);
     table_->setAlternatingRowColors(true);
-    table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
+    fitLines();
     table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     hint_ = new QLabel(
         tr("Drive a scenario, keep the run, drive again: the two stand side by side here."));
@@ -379,6 +380,10 @@ void ComparePanel::fillTable() {
 void ComparePanel::fillCells() {
     std::vector<Outcome> outcomes;
     for (const RunSession* run : columns_) {
+        if (!run->hasRun()) {
+            return;  // dropped just now: others heard of it first, the table is about to be made
+                     // anew
+        }
         outcomes.push_back(outcomeOf(*run));
     }
     const bool allEnded =
@@ -455,8 +460,15 @@ void ComparePanel::copyTable() {
     QApplication::clipboard()->setText(lines.join('\n'));
 }
 
+void ComparePanel::fitLines() {
+    table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
+}
+
 void ComparePanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && runs_ != nullptr) {
+        fillRuns();
+    } else if (event->type() == QEvent::FontChange && table_ != nullptr) {
+        fitLines();
         fillRuns();
     }
     QWidget::changeEvent(event);

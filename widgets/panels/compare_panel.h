@@ -43,6 +43,7 @@ class ComparePanel : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
+    void fitLines();
     QWidget* makeExperiment();
     QWidget* makeRuns();
     void fillRuns();

@@ -33,8 +33,10 @@ MassPanel::MassPanel(Document* document, QWidget* parent)
       stance_(new QLabel(this)),
       message_(new QLabel(this)),
       bodies_(new QTreeWidget(this)) {
+    mass_->setObjectName("massTotal");
     mass_->setAccessibleName(tr("Mass of the rover"));
     mass_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    stance_->setObjectName("massStance");
     stance_->setAccessibleName(tr("Wheelbase and track"));
     stance_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     message_->setWordWrap(true);
@@ -63,6 +65,7 @@ MassPanel::MassPanel(Document* document, QWidget* parent)
         form->addRow(name, field);
         com_.at(static_cast<std::size_t>(axis)) = field;
     }
+    bodies_->setObjectName("massBodies");
     bodies_->setColumnCount(3);
     bodies_->setHeaderLabels({tr("Body"), tr("Mass"), tr("Share")});
     bodies_->setRootIsDecorated(false);

@@ -1,6 +1,7 @@
 #include "widgets/panels/mobility_list.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
@@ -122,11 +123,11 @@ MobilityList::MobilityList(QWidget* parent)
     list_->setUniformRowHeights(true);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setObjectName("removableList");
-    list_->setMinimumHeight(90);
+    list_->setMinimumHeight(4 * fontMetrics().height());
     list_->header()->setStretchLastSection(false);
     list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     list_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
-    list_->setColumnWidth(1, 104);
+    fitShares();
     list_->setItemDelegateForColumn(1, new ShareDelegate(list_));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -139,6 +140,18 @@ MobilityList::MobilityList(QWidget* parent)
         fill();
     });
     connect(list_, &QTreeWidget::currentItemChanged, this, &MobilityList::choose);
+}
+
+/// The bar of a share and its number.
+void MobilityList::fitShares() {
+    list_->setColumnWidth(1, 66 + fontMetrics().horizontalAdvance("100 %"));
+}
+
+void MobilityList::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::FontChange) {
+        fitShares();
+    }
+    QWidget::changeEvent(event);
 }
 
 void MobilityList::show(const simcore::mechanism::Mechanism& mechanism,

@@ -36,9 +36,13 @@ class MobilityList : public QWidget {
     /// Joints and bodies of the loop chosen; none: no longer.
     void marked(const QStringList& joints, const QStringList& bodies);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
     enum Kind { Constraints, Loops, Reactions };
 
+    void fitShares();
     void fill();
     QList<QTreeWidgetItem*> constraintItems();
     QList<QTreeWidgetItem*> loopItems();

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -53,6 +54,8 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     headline_->setObjectName("headline");
     headline_->setWordWrap(true);
     headline_->setAccessibleName(tr("Verdict on mobility"));
+    verdict_->setObjectName("mobilityVerdict");
+    verdict_->setAccessibleName(tr("Verdict on mobility, in words"));
     verdict_->setWordWrap(true);
     verdict_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     unavailable_->setWordWrap(true);
@@ -70,7 +73,17 @@ MobilityPanel::MobilityPanel(Document* document, QWidget* parent)
     layout->addWidget(table);
     layout->addWidget(verdict_);
     layout->addWidget(list_, 1);
-    for (QWidget* page : std::initializer_list<QWidget*>{counts, advisor_, motions_}) {
+    // In a low window, or with large text, one scrolls rather than reads squeezed lines.
+    auto* scroll = new QScrollArea;
+    scroll->setObjectName("countsScroll");
+    scroll->setAccessibleName(tr("Counts"));
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(counts);
+    scroll->setMinimumWidth(counts->minimumSizeHint().width());
+    for (QWidget* page : std::initializer_list<QWidget*>{scroll, advisor_, motions_}) {
         pages_->addWidget(page);
     }
     auto* inner = new QVBoxLayout(content_);
@@ -235,7 +248,7 @@ void MobilityPanel::buildTable(QGridLayout* grid) {
         const Line& line = kLines.at(static_cast<std::size_t>(i));
         auto* label = new QLabel(tr(line.label));
         label->setToolTip(tr(line.tip));
-        label->setMinimumHeight(label->sizeHint().height());
+        label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
         grid->addWidget(label, i + 1, 0);
         for (int model = 0; model < 2; ++model) {
             auto* cell = new QLabel;

@@ -1,5 +1,7 @@
 #include "widgets/panels/statics_panel.h"
 
+#include <QApplication>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -87,10 +89,7 @@ QWidget* StaticsPanel::makeHeadline() {
     friction_->setToolTip(
         tr("The least friction with which some torques within the motors' limits hold the rover "
            "here"));
-    QFont large = friction_->font();
-    large.setPointSizeF(1.7 * large.pointSizeF());
-    large.setBold(true);
-    friction_->setFont(large);
+    showFrictionLarge();
     auto* caption = new QLabel(tr("required friction"));
     verdict_ = new QLabel;
     verdict_->setObjectName("staticsVerdict");
@@ -107,6 +106,22 @@ QWidget* StaticsPanel::makeHeadline() {
     layout->addLayout(number);
     layout->addWidget(verdict_, 1);
     return row;
+}
+
+void StaticsPanel::showFrictionLarge() {
+    // That of a label beside it: after a style sheet this panel's own is not up to date.
+    QFont large = QApplication::font();
+    large.setPointSizeF(1.7 * large.pointSizeF());
+    large.setBold(true);
+    friction_->setFont(large);
+}
+
+void StaticsPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::FontChange && friction_ != nullptr) {
+        // Style sheets give labels their fonts after this.
+        QMetaObject::invokeMethod(this, &StaticsPanel::showFrictionLarge, Qt::QueuedConnection);
+    }
+    QWidget::changeEvent(event);
 }
 
 QWidget* StaticsPanel::makeWay() {

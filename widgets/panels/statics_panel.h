@@ -20,7 +20,11 @@ class StaticsPanel : public QWidget {
   public:
     explicit StaticsPanel(StaticsSession* session, QWidget* parent = nullptr);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
+    void showFrictionLarge();
     QWidget* makeHeadline();
     QWidget* makeWay();
     QWidget* makeDetails();

@@ -1,5 +1,6 @@
 #include "widgets/panels/wheel_table.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QPainter>
 #include <QStyledItemDelegate>
@@ -7,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/palette.h"
 #include "widgets/panels/statics_text.h"
+#include "widgets/plots/wheel_marks.h"
 
 namespace widgets {
 
@@ -19,25 +20,10 @@ namespace {
 
 /// Torques far below it have no bar, however small all are [N m].
 constexpr double kLeastScale = 0.05;
+constexpr int kSignWidth = 14;               ///< sign of a wheel [pixel]
 constexpr int kBarRole = Qt::UserRole;       ///< part of the bar that is filled, 0 to 1
 constexpr int kMarkRole = Qt::UserRole + 1;  ///< place of a mark on the bar, 0 to 1
 constexpr int kColorRole = Qt::UserRole + 2;
-
-QColor wheelQColor(int wheel) {
-    const render::Rgb color = render::wheelColor(wheel);
-    return {color.r, color.g, color.b};
-}
-
-QPixmap wheelChip(int wheel) {
-    QPixmap chip(12, 12);
-    chip.fill(Qt::transparent);
-    QPainter painter(&chip);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(wheelQColor(wheel));
-    painter.drawRoundedRect(QRectF(1, 1, 10, 10), 2.5, 2.5);
-    return chip;
-}
 
 /// A bar along the lower edge of the cell, under its number.
 class BarDelegate : public QStyledItemDelegate {
@@ -104,6 +90,7 @@ WheelTable::WheelTable(QWidget* parent) : QTreeWidget(parent) {
     headerItem()->setToolTip(
         Torque, tr("The torques that ask for the least friction [N·m]; the mark on the bar is the "
                    "torque when all wheels have the same"));
+    setIconSize({kSignWidth, kSignWidth});
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);
@@ -119,6 +106,10 @@ WheelTable::WheelTable(QWidget* parent) : QTreeWidget(parent) {
         headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
         header()->setSectionResizeMode(column, QHeaderView::Fixed);
     }
+    fitColumns();
+}
+
+void WheelTable::fitColumns() {
     const auto widen = [this](Column column, const QString& widest) {
         const QString head = headerItem()->text(column);
         setColumnWidth(column, 12 + std::max(fontMetrics().horizontalAdvance(widest),
@@ -130,6 +121,14 @@ WheelTable::WheelTable(QWidget* parent) : QTreeWidget(parent) {
     widen(Torque, "−00.00");
 }
 
+void WheelTable::changeEvent(QEvent* event) {
+    QTreeWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) {
+        fitColumns();
+        setRows(topLevelItemCount());
+    }
+}
+
 void WheelTable::setRows(int count) {
     while (topLevelItemCount() > count) {
         delete takeTopLevelItem(count);
@@ -137,10 +136,9 @@ void WheelTable::setRows(int count) {
     while (topLevelItemCount() < count) {
         auto* item = new QTreeWidgetItem(this);
         const int wheel = topLevelItemCount() - 1;
-        item->setData(Wheel, Qt::DecorationRole, wheelChip(wheel));
         for (int column = Angle; column < kColumns; ++column) {
             item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-            item->setData(column, kColorRole, wheelQColor(wheel));
+            item->setData(column, kColorRole, wheelCurveColor(wheel));
         }
     }
     setFixedHeight(header()->sizeHint().height() + count * sizeHintForRow(0) + 2);
@@ -150,12 +148,25 @@ void WheelTable::show(const simcore::run::ResolvedRun& run,
                       const simcore::statics::TraverseSample& sample, bool backwards) {
     const Study& study = sample.study;
     setRows(static_cast<int>(study.wheels.size()));
+    showSigns(study);
     const auto contacts = rollingAlong(sample.pose, backwards);
     for (int i = 0; i < topLevelItemCount(); ++i) {
         const WheelStudy& wheel = study.wheels[static_cast<std::size_t>(i)];
         const double used = wheel.ratio / frictionUnder(run, contacts, i);
         showWheel(topLevelItem(i), study, wheel, used);
         showBars(topLevelItem(i), study, wheel, used);
+    }
+}
+
+void WheelTable::showSigns(const Study& study) {
+    std::vector<std::string> names;
+    for (const WheelStudy& wheel : study.wheels) {
+        names.push_back(wheel.name);
+    }
+    const std::vector<WheelMark> marks = wheelMarks(names);
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        topLevelItem(i)->setIcon(Wheel, wheelSample(i, marks.at(static_cast<std::size_t>(i)),
+                                                    palette().color(QPalette::Base), kSignWidth));
     }
 }
 

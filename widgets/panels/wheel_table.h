@@ -18,8 +18,13 @@ class WheelTable : public QTreeWidget {
     void show(const simcore::run::ResolvedRun& run, const simcore::statics::TraverseSample& sample,
               bool backwards);
 
+  protected:
+    void changeEvent(QEvent* event) override;
+
   private:
+    void fitColumns();
     void setRows(int count);
+    void showSigns(const simcore::statics::Study& study);
     void showWheel(QTreeWidgetItem* item, const simcore::statics::Study& study,
                    const simcore::statics::WheelStudy& wheel, double used);
     void showBars(QTreeWidgetItem* item, const simcore::statics::Study& study,

@@ -25,9 +25,9 @@
 #include <array>
 #include <cmath>
 
-#include "render/palette.h"
 #include "simcore/io/csv.h"
 #include "widgets/plots/export_dialog.h"
+#include "widgets/plots/wheel_marks.h"
 #include "widgets/plots/wheel_plot.h"
 #include "widgets/session/may_replace.h"
 #include "widgets/session/run_titles.h"
@@ -41,28 +41,11 @@ using simcore::Severity;
 namespace {
 
 constexpr int kMaxPlots = 4;
+constexpr int kLeastChooser = 120;  ///< [px]; long names are cut in a narrow plot
 constexpr int kReplotPeriod_ms = 80;
 constexpr std::array kFirstChoice{"slip_abs", "torque_applied", "normal_force", "contact_angle"};
 constexpr double kWholeRun = 0.0;
 constexpr double kFree = -1.0;
-
-QIcon chipIcon(int wheel) {
-    const render::Rgb color = render::wheelColor(wheel);
-    QIcon icon;
-    for (const bool on : {true, false}) {
-        QPixmap pixmap(14, 14);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        painter.setRenderHint(QPainter::Antialiasing);
-        const QColor fill(color.r, color.g, color.b);
-        painter.setPen(QPen(fill, 1.5));
-        painter.setBrush(on ? QBrush(fill) : QBrush(Qt::NoBrush));
-        painter.drawRoundedRect(QRectF(1.5, 1.5, 11, 11), 2.5, 2.5);
-        painter.end();
-        icon.addPixmap(pixmap, QIcon::Normal, on ? QIcon::On : QIcon::Off);
-    }
-    return icon;
-}
 
 /// Short enough for a table cell.
 QString cellText(double value) {
@@ -117,6 +100,7 @@ struct PlotPanel::Impl {
     void drawLegend(QPainter& painter, QPoint place, const QColor& color) const;
     void showLegend();
     void buildTable();
+    void showSigns();
     void buildRoverRow();
     void showColumns();
     void startPlot(int plot);
@@ -129,6 +113,7 @@ struct PlotPanel::Impl {
     void schedule();
     void replotAll();
     void colors();
+    void fonts();
     void saveChoice() const;
     double end() const;
     bool onMouse(int plot, QMouseEvent* event, bool clicked);
@@ -251,6 +236,7 @@ QWidget* PlotPanel::Impl::makePlotColumn(int index) {
             q.unit == "-" ? q.label : QString("%1 [%2]").arg(q.label, prettyUnit(q.unit)),
             q.quantity);
     }
+    chooser->setMinimumWidth(kLeastChooser);
     layout->addWidget(chooser);
     plots.at(at) = std::make_unique<WheelPlot>(column);
     QCustomPlot* plot = plots.at(at)->widget();
@@ -431,7 +417,7 @@ void PlotPanel::Impl::buildTable() {
         auto* toggle = new QToolButton;
         const QString name = QString::fromStdString(wheels[wheel]);
         toggle->setText(name);
-        toggle->setIcon(chipIcon(static_cast<int>(wheel)));
+        toggle->setIconSize({kWheelSampleWidth, 14});
         toggle->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         toggle->setCheckable(true);
         toggle->setAutoRaise(true);
@@ -454,10 +440,19 @@ void PlotPanel::Impl::buildTable() {
             grid->addWidget(row.at(i), static_cast<int>(wheel) + 1, static_cast<int>(i) + 1);
         }
     }
+    showSigns();
     buildRoverRow();
     grid->setRowStretch(static_cast<int>(wheels.size()) + 2, 1);
     table->setVisible(!wheels.empty());
     showColumns();
+}
+
+void PlotPanel::Impl::showSigns() {
+    const std::vector<WheelMark> marks = wheelMarks(wheels);
+    for (std::size_t wheel = 0; wheel < toggles.size(); ++wheel) {
+        toggles[wheel]->setIcon(wheelIcon(static_cast<int>(wheel), marks[wheel],
+                                          panel->palette().color(QPalette::Window)));
+    }
 }
 
 /// Values of the chassis, below those of the wheels.
@@ -636,9 +631,24 @@ bool PlotPanel::Impl::onMouse(int plot, QMouseEvent* event, bool clicked) {
 
 void PlotPanel::Impl::colors() {
     showLegend();
+    showSigns();
     for (auto& plot : plots) {
         plot->applyColors(panel->palette());
     }
+    replotAll();
+}
+
+void PlotPanel::Impl::fonts() {
+    for (auto& plot : plots) {
+        plot->applyFont(panel->font());
+    }
+    for (auto& row : cells) {
+        for (QLabel* cell : row) {
+            cell->setMinimumWidth(
+                panel->fontMetrics().horizontalAdvance(QString(QChar(0x2212)) + "000.0"));
+        }
+    }
+    showLegend();
     replotAll();
 }
 
@@ -653,15 +663,18 @@ void PlotPanel::Impl::paintPicture(QPainter& painter, const QSize& size) {
     painter.setPen(Qt::black);
     const int head = 22;
     int x = 8;
+    const std::vector<WheelMark> marks = wheelMarks(wheels);
+    constexpr int kSample = kWheelSampleWidth;
     for (std::size_t wheel = 0; wheel < wheels.size(); ++wheel) {
         if (!wheelShown[wheel]) {
             continue;
         }
-        const render::Rgb color = render::wheelColor(static_cast<int>(wheel));
-        painter.fillRect(QRect(x, 7, 10, 10), QColor(color.r, color.g, color.b));
+        paintWheelSample(painter, QPointF(x, 12), kSample, static_cast<int>(wheel), marks[wheel],
+                         Qt::white);
+        painter.setPen(Qt::black);
         const QString name = QString::fromStdString(wheels[wheel]);
-        painter.drawText(x + 14, 17, name);
-        x += 14 + painter.fontMetrics().horizontalAdvance(name) + 16;
+        painter.drawText(x + kSample + 5, 17, name);
+        x += kSample + 5 + painter.fontMetrics().horizontalAdvance(name) + 16;
     }
     int top = head;
     if (runs.size() > 1) {
@@ -888,6 +901,8 @@ void PlotPanel::fit() {
 void PlotPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && impl_ != nullptr && impl_->grid != nullptr) {
         impl_->colors();
+    } else if (event->type() == QEvent::FontChange && impl_ != nullptr && impl_->grid != nullptr) {
+        impl_->fonts();
     }
     QWidget::changeEvent(event);
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "widgets/plots/plot_font.h"
+
 namespace widgets {
 namespace {
 
@@ -26,7 +28,6 @@ WayPlot::WayPlot(QWidget* parent)
       marks_(plot_->addGraph()),
       ground_(new QCPItemStraightLine(plot_)),
       cursor_(new QCPItemStraightLine(plot_)) {
-    setMinimumHeight(82);
     plot_->setLocale(QLocale::c());  // a decimal point, as everywhere
     plot_->setFocusPolicy(Qt::NoFocus);
     plot_->setAccessibleName(tr("Required friction over the way"));
@@ -44,6 +45,7 @@ WayPlot::WayPlot(QWidget* parent)
     connect(plot_, &QCustomPlot::mouseMove, this,
             [this](QMouseEvent* event) { onMouse(event, event->buttons() & Qt::LeftButton); });
     applyColors();
+    applyFont();
 }
 
 void WayPlot::show(const std::vector<Point>& points, double ground) {
@@ -116,8 +118,17 @@ void WayPlot::showEvents(const QMouseEvent* event) {
 void WayPlot::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) {
         applyColors();
+    } else if (event->type() == QEvent::FontChange) {
+        applyFont();
     }
     QWidget::changeEvent(event);
+}
+
+void WayPlot::applyFont() {
+    constexpr int kLines = 5;
+    setMinimumHeight(kLines * fontMetrics().height() + 7);
+    setPlotFont(*plot_, font());
+    plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void WayPlot::applyColors() {

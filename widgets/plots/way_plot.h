@@ -40,6 +40,7 @@ class WayPlot : public QWidget {
 
   private:
     void applyColors();
+    void applyFont();
     void onMouse(const QMouseEvent* event, bool pressed);
     void showEvents(const QMouseEvent* event);
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "render/palette.h"
 #include "widgets/plots/channel_titles.h"
+#include "widgets/plots/plot_font.h"
 
 namespace widgets {
 namespace {
@@ -17,10 +17,19 @@ namespace {
 /// Points whose least and largest value are kept, so that a range need not look at each.
 constexpr int kBlock = 128;
 constexpr double kEmpty = std::numeric_limits<double>::infinity();
+constexpr double kMarkSize = 7.0;  ///< [pixel]
+constexpr double kMarkGap = 16.0;  ///< from one wheel's mark to the next one's [pixel]
+constexpr int kMarksInWindow = 5;  ///< a curve has about so many
 
-QColor colorOf(int wheel) {
-    const render::Rgb color = render::wheelColor(wheel);
-    return {color.r, color.g, color.b};
+/// 1, 2 or 5 times a power of ten, not less than `least`.
+double roundStep(double least) {
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= least * (1.0 - 1e-9)) {
+            return factor * power;
+        }
+    }
+    return 10.0 * power;
 }
 
 }  // namespace
@@ -120,6 +129,9 @@ void WheelPlot::start(const ShownQuantity& quantity, const std::vector<std::stri
     plot_->clearGraphs();
     columns_.clear();
     blocks_.clear();
+    curves_.clear();
+    marks_.clear();
+    signs_ = quantity.ofChassis ? std::vector<WheelMark>{} : wheelMarks(wheels);
     const std::vector<std::string> objects =
         quantity.ofChassis ? std::vector<std::string>{"chassis"} : wheels;
     objects_ = objects.size();
@@ -130,12 +142,21 @@ void WheelPlot::start(const ShownQuantity& quantity, const std::vector<std::stri
             blocks_.emplace_back();
             QCPGraph* graph = plot_->addGraph();
             // One pixel: wider antialiased lines are drawn many times slower.
-            graph->setPen(QPen(quantity.ofChassis ? text_ : colorOf(static_cast<int>(i)), 1.0,
-                               lineStyle(run.style)));
+            graph->setPen(QPen(quantity.ofChassis ? text_ : wheelCurveColor(static_cast<int>(i)),
+                               1.0, lineStyle(run.style)));
             graph->setName(QString::fromStdString(objects[i]));
             graph->setAdaptiveSampling(true);
+            curves_.push_back(graph);
         }
     }
+    for (std::size_t i = 0; !quantity.ofChassis && i < curves_.size(); ++i) {
+        QCPGraph* graph = plot_->addGraph();
+        graph->setName(curves_[i]->name());
+        graph->setLineStyle(QCPGraph::lsNone);
+        graph->setAdaptiveSampling(false);
+        marks_.push_back(graph);
+    }
+    colorMarks(background_);
     plot_->yAxis->setLabel(quantity.unit == "-" ? QString() : prettyUnit(quantity.unit));
     plot_->setAccessibleName(QObject::tr("%1 over time").arg(quantity.label));
 }
@@ -147,7 +168,7 @@ void WheelPlot::append(std::size_t run, const simcore::run::Recording& recording
             continue;
         }
         const auto column = static_cast<std::size_t>(columns_[i]);
-        const auto data = plot_->graph(static_cast<int>(i))->data();
+        const auto data = curves_.at(i)->data();
         for (std::size_t row = first; row < recording.rows.size(); ++row) {
             const double value = recording.rows[row][column] * quantity_.factor;
             if (data->size() % kBlock == 0) {
@@ -162,12 +183,12 @@ void WheelPlot::append(std::size_t run, const simcore::run::Recording& recording
     }
 }
 
-std::pair<double, double> WheelPlot::valuesIn(int graph, double from, double to) const {
-    const auto data = plot_->graph(graph)->data();
+std::pair<double, double> WheelPlot::valuesIn(std::size_t curve, double from, double to) const {
+    const auto data = curves_.at(curve)->data();
     const auto begin = data->findBegin(from, false);
     const auto end = data->findEnd(to, false);
     double least = kEmpty, most = -kEmpty;
-    const auto& blocks = blocks_.at(static_cast<std::size_t>(graph));
+    const auto& blocks = blocks_.at(curve);
     for (auto point = begin; point < end;) {
         const int at = static_cast<int>(point - data->constBegin());
         if (at % kBlock == 0 && end - point >= kBlock) {
@@ -186,8 +207,11 @@ std::pair<double, double> WheelPlot::valuesIn(int graph, double from, double to)
 
 void WheelPlot::clearData(std::size_t run) {
     for (std::size_t i = run * objects_; i < (run + 1) * objects_; ++i) {
-        plot_->graph(static_cast<int>(i))->data()->clear();
-        blocks_[i].clear();
+        curves_.at(i)->data()->clear();
+        blocks_.at(i).clear();
+        if (!marks_.empty()) {
+            marks_.at(i)->data()->clear();
+        }
     }
 }
 
@@ -195,8 +219,9 @@ void WheelPlot::setWheelShown(int wheel, bool shown) {
     if (quantity_.ofChassis) {
         return;
     }
-    for (int i = wheel; i < plot_->graphCount(); i += static_cast<int>(objects_)) {
-        plot_->graph(i)->setVisible(shown);
+    for (std::size_t i = static_cast<std::size_t>(wheel); i < curves_.size(); i += objects_) {
+        curves_[i]->setVisible(shown);
+        marks_.at(i)->setVisible(shown);
     }
 }
 
@@ -204,8 +229,8 @@ void WheelPlot::setWindow(double from, double to) {
     plot_->xAxis->setRange(from, to);
     bool any = false;
     QCPRange range;
-    for (int i = 0; i < plot_->graphCount(); ++i) {
-        if (!plot_->graph(i)->visible()) {
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        if (!curves_[i]->visible()) {
             continue;
         }
         const auto [least, most] = valuesIn(i, from, to);
@@ -227,6 +252,44 @@ void WheelPlot::setWindow(double from, double to) {
     const double margin = 0.06 * range.size();
     plot_->yAxis->setRange(range.lower < 0.0 ? range.lower - margin : -0.5 * margin,
                            range.upper + margin);
+    placeMarks(from, to);
+}
+
+/// At fixed instants, so that marks stay on their curves as the window moves on, and at others for
+/// every curve, so that they do not cover one another where curves run together.
+void WheelPlot::placeMarks(double from, double to) {
+    // Not so many that those of all wheels are a band in a narrow plot.
+    const double width = std::max(plot_->axisRect()->width(), 1);
+    const double room = kMarkGap * static_cast<double>(objects_) / width;
+    const double step = roundStep((to - from) * std::max(1.0 / kMarksInWindow, room));
+    for (std::size_t i = 0; i < marks_.size(); ++i) {
+        const auto data = curves_[i]->data();
+        auto marks = marks_[i]->data();
+        marks->clear();
+        if (data->isEmpty()) {
+            continue;
+        }
+        const double last = std::prev(data->constEnd())->key;
+        const double shift =
+            step * (static_cast<double>(i % objects_) + 0.5) / static_cast<double>(objects_);
+        for (double k = std::ceil((from - shift) / step); k * step + shift <= std::min(to, last);
+             k += 1.0) {
+            const auto point = data->findBegin(k * step + shift, false);
+            if (point != data->constEnd() && std::isfinite(point->value)) {
+                marks->add(*point);
+            }
+        }
+    }
+}
+
+void WheelPlot::colorMarks(const QColor& paper) {
+    for (std::size_t i = 0; i < marks_.size(); ++i) {
+        const WheelMark& sign = signs_.at(i % objects_);
+        const QColor color = wheelCurveColor(static_cast<int>(i % objects_));
+        marks_[i]->setScatterStyle(QCPScatterStyle(markOutline(sign.shape, kMarkSize),
+                                                   QPen(color, 1.2), sign.hollow ? paper : color,
+                                                   kMarkSize));
+    }
 }
 
 void WheelPlot::setMarks(double shownTime, std::optional<double> mouseTime,
@@ -259,12 +322,18 @@ void WheelPlot::applyColors(const QPalette& palette) {
     grid_.setAlphaF(0.14F);
     setColors(text_, background_, grid_);
     colorChassisCurves(text_);
+    colorMarks(background_);
     shown_->setPen(QPen(palette.color(QPalette::Highlight), 1.0));
     QColor mouse = palette.color(QPalette::Text);
     mouse.setAlphaF(0.6F);
     mouse_->setPen(QPen(mouse, 1.0, Qt::DashLine));
     reference_->setPen(QPen(palette.color(QPalette::Highlight), 1.0, Qt::DashLine));
     hint_->setColor(palette.color(QPalette::PlaceholderText));
+}
+
+void WheelPlot::applyFont(const QFont& font) {
+    setPlotFont(*plot_, font);
+    hint_->setFont(font);
 }
 
 void WheelPlot::setColors(const QColor& text, const QColor& background, const QColor& grid) {
@@ -283,10 +352,12 @@ void WheelPlot::setColors(const QColor& text, const QColor& background, const QC
 }
 
 void WheelPlot::colorChassisCurves(const QColor& color) {
-    for (int i = 0; quantity_.ofChassis && i < plot_->graphCount(); ++i) {
-        QPen pen = plot_->graph(i)->pen();
-        pen.setColor(color);
-        plot_->graph(i)->setPen(pen);
+    for (QCPGraph* curve : curves_) {
+        if (quantity_.ofChassis) {
+            QPen pen = curve->pen();
+            pen.setColor(color);
+            curve->setPen(pen);
+        }
     }
 }
 
@@ -300,6 +371,7 @@ void WheelPlot::paint(QPainter& painter, const QRect& place) {
     const bool reference = reference_->visible();
     setColors(Qt::black, Qt::white, QColor(0, 0, 0, 36));
     colorChassisCurves(Qt::black);
+    colorMarks(Qt::white);
     shown_->setVisible(false);
     mouse_->setVisible(false);
     reference_->setVisible(false);
@@ -314,6 +386,7 @@ void WheelPlot::paint(QPainter& painter, const QRect& place) {
     reference_->setVisible(reference);
     setColors(text_, background_, grid_);
     colorChassisCurves(text_);
+    colorMarks(background_);
 }
 
 std::optional<double> WheelPlot::timeAt(double x, double y) const {

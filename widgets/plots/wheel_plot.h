@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "simcore/run/simulation.h"
+#include "widgets/plots/wheel_marks.h"
 
 class QCPItemStraightLine;
+class QCPGraph;
 class QCPItemText;
 class QCustomPlot;
 class QPainter;
@@ -72,6 +74,7 @@ class WheelPlot {
     void setHint(const QString& text);
     QString hint() const;
     void applyColors(const QPalette& palette);
+    void applyFont(const QFont& font);
     void replot();
     /// The same plot in light colours.
     void paint(QPainter& painter, const QRect& place);
@@ -79,7 +82,9 @@ class WheelPlot {
     std::optional<double> timeAt(double x, double y) const;
 
   private:
+    void placeMarks(double from, double to);
     void colorChassisCurves(const QColor& color);
+    void colorMarks(const QColor& paper);
     void setColors(const QColor& text, const QColor& background, const QColor& grid);
 
     QCustomPlot* plot_;
@@ -88,12 +93,15 @@ class WheelPlot {
     QCPItemStraightLine* reference_;
     QCPItemText* hint_;
     ShownQuantity quantity_;
-    std::size_t objects_ = 0;  ///< curves a run
     /// Least and largest value of a curve between two times; least above largest: there is none.
-    std::pair<double, double> valuesIn(int graph, double from, double to) const;
+    std::pair<double, double> valuesIn(std::size_t curve, double from, double to) const;
 
+    std::size_t objects_ = 0;        ///< curves a run
     std::vector<std::vector<std::pair<double, double>>> blocks_;  ///< of every curve
-    std::vector<int> columns_;  ///< channel of every curve, run by run
+    std::vector<int> columns_;       ///< channel of every curve, run by run
+    std::vector<QCPGraph*> curves_;  ///< run by run
+    std::vector<QCPGraph*> marks_;   ///< on the curves, which lie below all of them
+    std::vector<WheelMark> signs_;   ///< of the wheels; none for the chassis
     QColor text_, background_, grid_;
 };
 

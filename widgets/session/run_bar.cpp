@@ -78,11 +78,14 @@ class ElidedLabel : public QLabel {
     }
 };
 
+constexpr int kLeastEditor = 70;  ///< [px]
+
 QToolButton* transportButton(QAction* action) {
     auto* button = new QToolButton;
     button->setDefaultAction(action);
     button->setAutoRaise(true);
     button->setIconSize({20, 20});
+    button->setObjectName(action->objectName() + "Button");
     button->setAccessibleName(action->text());
     button->setFocusPolicy(Qt::TabFocus);
     return button;
@@ -139,6 +142,8 @@ QWidget* RunBar::makeSettings() {
         auto* label = new QLabel(text);
         label->setBuddy(editor);
         editor->setAccessibleName(text);
+        // In a narrow window long names are cut, not the window's edge.
+        editor->setMinimumWidth(kLeastEditor);
         layout->addWidget(label);
         layout->addWidget(editor);
         layout->addSpacing(8);
@@ -218,13 +223,12 @@ QWidget* RunBar::makeTransport() {
     time_ = new QLabel;
     time_->setAccessibleName(tr("Time"));
     time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    fixWidth(time_, "000.00 / 000.00 s");
     layout->addWidget(time_);
     rate_ = new QLabel;
     rate_->setAccessibleName(tr("Real-time factor"));
     rate_->setToolTip(tr("Simulated time over clock time"));
     rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    fixWidth(rate_, tr("RTF %1").arg("00.00"));
+    fixWidths();
     layout->addWidget(rate_);
     connect(speed_, &QComboBox::activated, this,
             [this] { session_->setSpeedFactor(speed_->currentData().toDouble()); });
@@ -441,9 +445,16 @@ void RunBar::updateTime() {
                            : tr("RTF %1").arg(QChar(0x2013)));
 }
 
+void RunBar::fixWidths() {
+    fixWidth(time_, "000.00 / 000.00 s");
+    fixWidth(rate_, tr("RTF %1").arg("00.00"));
+}
+
 void RunBar::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) {
         updateActions();
+    } else if (event->type() == QEvent::FontChange && rate_ != nullptr) {
+        fixWidths();
     }
     QWidget::changeEvent(event);
 }

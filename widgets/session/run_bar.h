@@ -57,6 +57,7 @@ class RunBar : public QWidget {
     void changeEvent(QEvent* event) override;
 
   private:
+    void fixWidths();
     QWidget* makeSettings();
     QWidget* makeTransport();
     void showScenario();

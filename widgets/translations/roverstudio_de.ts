@@ -2571,6 +2571,42 @@
         <source>Hold a recording beside the run on show; the project stays</source>
         <translation>Eine Aufzeichnung neben die gezeigte Fahrt stellen; das Projekt bleibt</translation>
     </message>
+    <message>
+        <source>Parameters and properties</source>
+        <translation>Parameter und Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Text size %1 %</source>
+        <translation>Textgröße %1 %</translation>
+    </message>
+    <message>
+        <source>&amp;Larger</source>
+        <translation>&amp;Größer</translation>
+    </message>
+    <message>
+        <source>Larger text in all panels, plots and dialogs</source>
+        <translation>Größerer Text in allen Feldern, Diagrammen und Dialogen</translation>
+    </message>
+    <message>
+        <source>&amp;Smaller</source>
+        <translation>&amp;Kleiner</translation>
+    </message>
+    <message>
+        <source>Smaller text in all panels, plots and dialogs</source>
+        <translation>Kleinerer Text in allen Feldern, Diagrammen und Dialogen</translation>
+    </message>
+    <message>
+        <source>&amp;Normal</source>
+        <translation>&amp;Normal</translation>
+    </message>
+    <message>
+        <source>Text as large as the system has it</source>
+        <translation>Text so groß, wie das System ihn hat</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Te&amp;xtgröße</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MassPanel</name>
@@ -2965,6 +3001,10 @@ Sie stehen unter Probleme.</translation>
     <message>
         <source>Nothing is known of %1 and %2 more.</source>
         <translation>Nichts ist bekannt von %1 und %2 weiteren.</translation>
+    </message>
+    <message>
+        <source>Verdict on mobility, in words</source>
+        <translation>Urteil über die Beweglichkeit, in Worten</translation>
     </message>
 </context>
 <context>

@@ -10,9 +10,9 @@
 namespace widgets {
 namespace {
 
-constexpr int kRuler = 22;             ///< breadth [px]
-constexpr double kSmallestGap = 64.0;  ///< between numbered ticks [px]
-constexpr double kHandle = 5.5;        ///< radius [px]
+constexpr double kRulerPerLine = 1.45;  ///< breadth of a ruler for the height of text
+constexpr double kSmallestGap = 64.0;   ///< between numbered ticks [px]
+constexpr double kHandle = 5.5;         ///< radius [px]
 
 /// The smallest of 1, 2, 5 times a power of ten that is not smaller [m].
 double roundStep(double atLeast) {
@@ -85,13 +85,14 @@ void DrawingOverlay::paintRulers(QPainter& painter, const Projection& projection
     const int across = axisOf(projection.right());
     const int upward = axisOf(projection.up());
     const double step = roundStep(kSmallestGap * projection.pixelSize());
+    const int ruler = static_cast<int>(kRulerPerLine * fontMetrics().height());
     const QColor paper = shade(palette(), QPalette::Window, 0.86F);
     const QColor ink = palette().color(QPalette::Text);
     QFont face = font();
     face.setPointSizeF(0.8 * face.pointSizeF());
     painter.setFont(face);
-    painter.fillRect(QRect(0, height() - kRuler, width(), kRuler), paper);
-    painter.fillRect(QRect(0, 0, kRuler, height() - kRuler), paper);
+    painter.fillRect(QRect(0, height() - ruler, width(), ruler), paper);
+    painter.fillRect(QRect(0, 0, ruler, height() - ruler), paper);
     painter.setPen(ink);
 
     // Values of an axis at the two ends of the picture.
@@ -106,35 +107,35 @@ void DrawingOverlay::paintRulers(QPainter& painter, const Projection& projection
             draw(k * fine, static_cast<long>(k) % kParts == 0);
         }
     };
-    const double left = valueAt(QPointF(kRuler, 0), across);
+    const double left = valueAt(QPointF(ruler, 0), across);
     const double right = valueAt(QPointF(width(), 0), across);
     ticks(left, right, [&](double value, bool numbered) {
-        const double x = kRuler + (value - left) / (right - left) * (width() - kRuler);
-        painter.drawLine(QPointF(x, height() - kRuler),
-                         QPointF(x, height() - kRuler + (numbered ? 7 : 4)));
+        const double x = ruler + (value - left) / (right - left) * (width() - ruler);
+        painter.drawLine(QPointF(x, height() - ruler),
+                         QPointF(x, height() - ruler + (numbered ? 7 : 4)));
         if (numbered) {
-            painter.drawText(QRectF(x - 40, height() - kRuler + 6, 80, kRuler - 6), Qt::AlignCenter,
+            painter.drawText(QRectF(x - 40, height() - ruler + 6, 80, ruler - 6), Qt::AlignCenter,
                              millimetres(value));
         }
     });
     const double top = valueAt(QPointF(0, 0), upward);
-    const double bottom = valueAt(QPointF(0, height() - kRuler), upward);
+    const double bottom = valueAt(QPointF(0, height() - ruler), upward);
     ticks(top, bottom, [&](double value, bool numbered) {
-        const double y = (value - top) / (bottom - top) * (height() - kRuler);
-        painter.drawLine(QPointF(kRuler, y), QPointF(kRuler - (numbered ? 7 : 4), y));
+        const double y = (value - top) / (bottom - top) * (height() - ruler);
+        painter.drawLine(QPointF(ruler, y), QPointF(ruler - (numbered ? 7 : 4), y));
         if (numbered) {
             painter.save();
-            painter.translate(kRuler - 13, y);
+            painter.translate(ruler - ruler * 3 / 5, y);
             painter.rotate(-90.0);
             painter.drawText(QRectF(-40, -8, 80, 16), Qt::AlignCenter, millimetres(value));
             painter.restore();
         }
     });
-    painter.fillRect(QRect(0, height() - kRuler, kRuler, kRuler), paper);
-    painter.drawText(QRectF(0, height() - kRuler, kRuler, kRuler), Qt::AlignCenter,
+    painter.fillRect(QRect(0, height() - ruler, ruler, ruler), paper);
+    painter.drawText(QRectF(0, height() - ruler, ruler, ruler), Qt::AlignCenter,
                      QString("%1%2").arg(kAxes.at(static_cast<std::size_t>(across)),
                                          kAxes.at(static_cast<std::size_t>(upward))));
-    painter.drawText(QRectF(width() - 40, height() - kRuler - 16, 36, 16),
+    painter.drawText(QRectF(width() - 40, height() - ruler - 16, 36, 16),
                      Qt::AlignRight | Qt::AlignVCenter, tr("mm"));
 }
 

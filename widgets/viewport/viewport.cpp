@@ -67,6 +67,7 @@ Viewport::Viewport(std::shared_ptr<render::Scene> scene, QWidget* parent)
       scene_(std::move(scene)),
       gl_(std::make_unique<Gl>()) {
     setFocusPolicy(Qt::StrongFocus);
+    setObjectName("viewport");
     setAccessibleName(tr("3D view"));
     gl_->viewer = new osgViewer::Viewer;
     gl_->viewer->setThreadingModel(osgViewer::Viewer::SingleThreaded);
@@ -117,11 +118,28 @@ void Viewport::initializeGL() {
             Qt::DirectConnection);
     render::Quality quality;
     quality.pixelRatio = ratio;
+    quality.labelSize = labelSize();
     if (!drawsInSoftware()) {
         quality.shadowSize = 2048;
         quality.shadowTaps = 4;
     }
     scene_->setQuality(quality);
+}
+
+/// A number at a joint is as high as other text, in its disc.
+double Viewport::labelSize() const {
+    constexpr double kDiscPerLine = 1.45;
+    return kDiscPerLine * fontMetrics().height();
+}
+
+void Viewport::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::FontChange) {
+        render::Quality quality = scene_->quality();
+        quality.labelSize = labelSize();
+        scene_->setQuality(quality);
+        requestRedraw();
+    }
+    QOpenGLWidget::changeEvent(event);
 }
 
 void Viewport::resizeGL(int width, int height) {

@@ -65,6 +65,7 @@ class Viewport : public QOpenGLWidget {
     void frameDrawn(double milliseconds);
 
   protected:
+    void changeEvent(QEvent* event) override;
     void initializeGL() override;
     void resizeGL(int width, int height) override;
     void paintGL() override;
@@ -77,6 +78,7 @@ class Viewport : public QOpenGLWidget {
   private:
     struct Gl;
     double aspect() const;
+    double labelSize() const;
     void straighten();
     void showView(render::View view);
     void followRover();

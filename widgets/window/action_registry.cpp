@@ -3,6 +3,7 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QHeaderView>
+#include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <utility>
@@ -39,6 +40,7 @@ void showShortcuts(const ActionRegistry& actions, QWidget* parent) {
     QDialog dialog(parent);
     dialog.setWindowTitle(ActionRegistry::tr("Keyboard shortcuts"));
     auto* list = new QTreeWidget;
+    list->setObjectName("shortcutList");
     list->setColumnCount(2);
     list->setHeaderLabels({ActionRegistry::tr("Action"), ActionRegistry::tr("Keys")});
     list->setRootIsDecorated(false);
@@ -68,11 +70,12 @@ void showShortcuts(const ActionRegistry& actions, QWidget* parent) {
     list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     list->header()->setStretchLastSection(false);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    buttons->button(QDialogButtonBox::Close)->setObjectName("close");
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     auto* layout = new QVBoxLayout(&dialog);
     layout->addWidget(list);
     layout->addWidget(buttons);
-    dialog.resize(560, 620);
+    dialog.resize(QSize(37, 41) * dialog.fontMetrics().height());
     dialog.exec();
 }
 

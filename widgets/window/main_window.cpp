@@ -48,6 +48,7 @@
 #include "widgets/window/icons.h"
 #include "widgets/window/recording_commands.h"
 #include "widgets/window/scene_link.h"
+#include "widgets/window/text_size.h"
 #include "widgets/window/theme.h"
 
 namespace widgets {
@@ -148,6 +149,7 @@ void MainWindow::makeDocks() {
     QDockWidget* mass = add(Qt::RightDockWidgetArea, tr("Mass"), "massDock", mass_);
     problemsDock_ = add(Qt::RightDockWidgetArea, tr("Problems"), "problemsDock", problems_);
     auto* steps = new QUndoView(&document_->undoStack());
+    steps->setObjectName("historyList");
     steps->setEmptyLabel(tr("As opened"));
     steps->setAccessibleName(tr("Steps that can be undone"));
     steps->setFrameShape(QFrame::NoFrame);
@@ -228,6 +230,7 @@ QWidget* MainWindow::makeLeftPanel() {
     editors_ = new QTabWidget;
     editors_->setDocumentMode(true);
     editors_->setObjectName("editors");
+    editors_->setAccessibleName(tr("Parameters and properties"));
     editors_->addTab(parameters_, tr("Parameters"));
     editors_->addTab(properties_, tr("Properties"));
     auto* splitter = new QSplitter(Qt::Vertical);
@@ -706,8 +709,27 @@ void MainWindow::setDark(bool dark) {
     }
 }
 
+void MainWindow::setTextSize(int percent) {
+    textSize_ = applyTextSize(*qApp, percent);
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+        dock->setFont(QApplication::font());  // their titles do not follow by themselves
+    }
+    constexpr int kIcon = 20;
+    const QSize icon = QSize(kIcon, kIcon) * textSize_ / 100;
+    findChild<QToolBar*>("tools")->setIconSize(icon);
+    for (QToolButton* button : runBar_->findChildren<QToolButton*>()) {
+        button->setIconSize(icon);
+    }
+    actions_->at("textLarger")->setEnabled(steppedTextSize(textSize_, 1) != textSize_);
+    actions_->at("textSmaller")->setEnabled(steppedTextSize(textSize_, -1) != textSize_);
+    if (viewport_ != nullptr) {
+        viewport_->requestRedraw();
+    }
+}
+
 void MainWindow::restoreLayout() {
     const QSettings settings;
+    setTextSize(settings.value("window/textSize", 100).toInt());
     restoreGeometry(settings.value("window/geometry").toByteArray());
     restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
     setDark(settings.value("window/dark", true).toBool());
@@ -723,6 +745,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings.setValue("window/geometry", saveGeometry());
     settings.setValue("window/state", saveState(kLayoutVersion));
     settings.setValue("window/dark", dark_);
+    settings.setValue("window/textSize", textSize_);
     files_->discardAutosave();
     event->accept();
 }

@@ -90,6 +90,11 @@ class MainWindow : public QMainWindow {
     /// was not opened; says why.
     bool open(const QString& file);
     void setDark(bool dark);
+    /// Size of all text [% of the system's]; see text_size.h.
+    void setTextSize(int percent);
+
+    int textSize() const { return textSize_; }
+
     /// Brings a panel to the front: "rover", "mobility", "advisor" and "motions" (pages of it),
     /// "graph", "statics", "compare", "mass", "problems", "history" or "run". False when there is
     /// no such panel.
@@ -113,6 +118,7 @@ class MainWindow : public QMainWindow {
     /// "addBody" and so on, one for every kind of part.
     QMenu* makeAddMenu();
     void makeViewActions();
+    QMenu* makeTextSizeMenu();
     void makeLanguageActions();
     void makeRunActions();
     void makeDocks();
@@ -191,6 +197,7 @@ class MainWindow : public QMainWindow {
     QToolButton* problemStatus_ = nullptr;
     QByteArray firstLayout_;
     bool dark_ = true;
+    int textSize_ = 100;
 };
 
 }  // namespace widgets

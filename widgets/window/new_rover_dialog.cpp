@@ -56,7 +56,7 @@ NewRoverDialog::NewRoverDialog(QWidget* parent)
     list_->setObjectName("topology");
     list_->setIconSize(kPicture);
     list_->setSpacing(2);
-    list_->setFixedWidth(300);
+    list_->setFixedWidth(20 * fontMetrics().height());
     for (const auto& file : simcore::io::templateFiles()) {
         auto project = simcore::io::loadProject(file);
         if (!project) {
@@ -89,6 +89,7 @@ NewRoverDialog::NewRoverDialog(QWidget* parent)
     problem_->setWordWrap(true);
     problem_->setMinimumHeight(2 * fontMetrics().height());
     problem_->setAlignment(Qt::AlignTop);
+    buttons_->button(QDialogButtonBox::Cancel)->setObjectName("cancel");
     QPushButton* create = buttons_->addButton(tr("Create"), QDialogButtonBox::AcceptRole);
     create->setObjectName("create");
     create->setDefault(true);
@@ -112,7 +113,7 @@ NewRoverDialog::NewRoverDialog(QWidget* parent)
     layout->setSpacing(12);
     layout->addLayout(columns, 1);
     layout->addWidget(buttons_);
-    resize(860, 640);
+    resize(QSize(57, 43) * fontMetrics().height());
 
     connect(list_, &QListWidget::currentRowChanged, this, &NewRoverDialog::choose);
     connect(&draft_, &Document::changed, this, &NewRoverDialog::update);
@@ -150,7 +151,7 @@ void NewRoverDialog::makeFields() {
         field->setObjectName("dimension:" + QString::fromStdString(parameter.name));
         field->setAccessibleName(labelOf(parameter.name));
         field->setToolTip(meaning);
-        field->setFixedWidth(120);
+        field->setFixedWidth(8 * fontMetrics().height());
         connect(field, &QuantityField::refused, problem_,
                 [this](const QString& why) { why.isEmpty() ? update() : problem_->setText(why); });
         auto* range = new QLabel(tr("%1 to %2 %3 · %4")

@@ -58,7 +58,7 @@ RecoveryDialog::RecoveryDialog(std::vector<Recovered> found, QWidget* parent)
     layout->addWidget(text);
     layout->addWidget(list_);
     layout->addWidget(buttons);
-    resize(520, 240);
+    resize(QSize(35, 16) * fontMetrics().height());
 }
 
 const Recovered& RecoveryDialog::chosen() const {

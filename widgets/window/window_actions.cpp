@@ -25,6 +25,7 @@
 #include "widgets/window/language.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/recording_commands.h"
+#include "widgets/window/text_size.h"
 
 namespace widgets {
 
@@ -233,6 +234,19 @@ void MainWindow::makeViewActions() {
         action->setCheckable(true);
         themes->addAction(action);
     }
+    const auto textSize = [this](const char* name, const QString& text,
+                                 const QList<QKeySequence>& keys, const QString& tip, int steps) {
+        actions_->add(name, text, keys, tip, [this, steps] {
+            setTextSize(steps == 0 ? 100 : steppedTextSize(textSize_, steps));
+            tell(tr("Text size %1 %").arg(textSize_));
+        });
+    };
+    textSize("textLarger", tr("&Larger"), {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")},
+             tr("Larger text in all panels, plots and dialogs"), 1);
+    textSize("textSmaller", tr("&Smaller"), {QKeySequence("Ctrl+-")},
+             tr("Smaller text in all panels, plots and dialogs"), -1);
+    textSize("textNormal", tr("&Normal"), {QKeySequence("Ctrl+0")},
+             tr("Text as large as the system has it"), 0);
     makeLanguageActions();
     actions_->add("fullScreen", tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, {},
                   [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
@@ -249,6 +263,14 @@ void MainWindow::makeViewActions() {
     }
     actions_->add("resetLayout", tr("&Reset panels"), {}, tr("All panels back to their places"),
                   [this] { restoreState(firstLayout_, kLayoutVersion); });
+}
+
+QMenu* MainWindow::makeTextSizeMenu() {
+    auto* menu = new QMenu(tr("Te&xt size"), this);
+    for (const char* name : {"textLarger", "textSmaller", "textNormal"}) {
+        menu->addAction(actions_->at(name));
+    }
+    return menu;
 }
 
 void MainWindow::makeLanguageActions() {
@@ -376,9 +398,10 @@ void MainWindow::makeMenus() {
     fill(theme, {"themeDark", "themeLight"});
     fill(view->addMenu(tr("&Arrangement")),
          {"arrange:design", "arrange:simulate", "arrange:compare", "", "resetLayout"});
-    fill(view, {"fullScreen"});
+    view->addMenu(makeTextSizeMenu());
     view->addMenu(languageMenu_);
-    fill(view, {"resetLayout", "fullScreen"});
+    view->addSeparator();
+    fill(view, {"fullScreen"});
     fill(menuBar()->addMenu(tr("&Run")),
          {"playPause", "step", "stepBack", "live", "reset", "runAgain", "", "keepRun",
           "addRecording", "experiment", "", "faster", "slower", "", "showDesign"});
