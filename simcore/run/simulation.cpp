@@ -363,9 +363,6 @@ void Simulation::Impl::measure() {
     }
     for (std::size_t i = 0; i < wheels.size(); ++i) {
         WheelState& state = now.wheels[i];
-        if (commands[i].mode == control::WheelMode::Lock) {
-            state.torqueApplied = brakeTorque(run.mechanism.wheels[i]);
-        }
         if (count) {
             wheels[i].airTime += state.touching ? 0.0 : run.step;
             loadSums[i] += state.normalForce * run.step;
@@ -418,6 +415,11 @@ void Simulation::Impl::updateSnapshot() {
         return;
     }
     snapshotIsOld = false;
+    for (std::size_t i = 0; i < now.wheels.size(); ++i) {
+        if (commands[i].mode == control::WheelMode::Lock && !engine->jointReactions().empty()) {
+            now.wheels[i].torqueApplied = brakeTorque(run.mechanism.wheels[i]);
+        }
+    }
     const auto chassis = static_cast<std::size_t>(run.mechanism.chassis);
     now.bodies = engine->poses();
     now.centerOfMass = run.mechanism.centerOfMass(now.bodies);
