@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTreeWidget>
@@ -212,6 +213,21 @@ TEST_F(CompareTest, AKeptRunIsSavedAsARecordingAndARecordingIsHeldBesideTheRun) 
     testsupport::answerNextBox(QMessageBox::Ok);
     EXPECT_FALSE(window->recordings().addFile(folder.filePath("none.roverrec")));
     EXPECT_EQ(library().runs().size(), 1U);
+}
+
+TEST_F(CompareTest, RunsOutOfSightAreSaid) {
+    ASSERT_TRUE(driveToTheEnd());
+    auto* aside = find<QLabel>("compareAside");
+    EXPECT_FALSE(aside->isVisible());
+    for (int i = 0; i < 4; ++i) {
+        press(Qt::Key_K, Qt::ControlModifier);
+    }
+    auto* bar = find<QTableWidget>("compareTable")->horizontalScrollBar();
+    ASSERT_TRUE(waitUntil([&] { return bar->maximum() > 0; }));
+    EXPECT_TRUE(aside->isVisible());
+    EXPECT_THAT(aside->text().toStdString(), HasSubstr("to the right"));
+    bar->setValue(bar->maximum());
+    EXPECT_THAT(aside->text().toStdString(), HasSubstr("to the left"));
 }
 
 TEST_F(CompareTest, CurvesOfKeptRunsCanBeShownAndHidden) {

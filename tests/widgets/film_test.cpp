@@ -2,6 +2,8 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QFile>
+#include <QProcess>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include <gmock/gmock.h>
@@ -78,6 +80,29 @@ TEST_F(FilmTest, EveryPictureGoesToTheEncoder) {
     QFile arguments(folder_.filePath("arguments"));
     ASSERT_TRUE(arguments.open(QFile::ReadOnly));
     EXPECT_THAT(arguments.readAll().toStdString(), HasSubstr("libx264"));
+}
+
+/// Where the real one is installed: what it makes can be read, with all pictures.
+TEST_F(FilmTest, TheRealEncoderMakesFilms) {
+    qputenv("PATH", path_);
+    if (QStandardPaths::findExecutable("ffmpeg").isEmpty()) {
+        GTEST_SKIP() << "ffmpeg is not installed";
+    }
+    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+        const auto film = request(name);
+        const auto problems =
+            widgets::writeFilm(session(), *window->viewport(), film, [](double) { return true; });
+        ASSERT_TRUE(problems.empty()) << toString(problems);
+        QProcess reader;
+        reader.start("ffmpeg", {"-loglevel", "error", "-i", film.file, "-f", "framemd5", "-"});
+        ASSERT_TRUE(reader.waitForFinished(30000));
+        EXPECT_EQ(reader.exitCode(), 0) << name;
+        int pictures = 0;
+        for (const QByteArray& line : reader.readAllStandardOutput().split('\n')) {
+            pictures += line.startsWith("0, ") ? 1 : 0;
+        }
+        EXPECT_EQ(pictures, 11) << name;
+    }
 }
 
 TEST_F(FilmTest, AnEndedFilmLeavesNothing) {

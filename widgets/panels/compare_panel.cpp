@@ -8,6 +8,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QStyle>
 #include <QTableWidget>
 #include <QTreeWidget>
@@ -234,6 +235,23 @@ QWidget* ComparePanel::makeRuns() {
     layout->setSpacing(4);
     layout->addWidget(runs_);
     layout->addLayout(buttons);
+    aside_ = new QLabel;
+    aside_->setObjectName("compareAside");
+    aside_->setAccessibleName(tr("Runs out of sight"));
+    aside_->setAlignment(Qt::AlignRight);
+    aside_->setEnabled(false);
+    aside_->hide();
+    const auto tellAside = [this] {
+        const auto* bar = table_->horizontalScrollBar();
+        const bool cut = table_->isVisible() && bar->maximum() > 0;
+        aside_->setVisible(cut);
+        aside_->setText(bar->value() < bar->maximum() ? tr("More runs to the right \u2192")
+                                                      : tr("\u2190 More runs to the left"));
+    };
+    table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    connect(table_->horizontalScrollBar(), &QScrollBar::rangeChanged, this, tellAside);
+    connect(table_->horizontalScrollBar(), &QScrollBar::valueChanged, this, tellAside);
+    layout->addWidget(aside_);
     layout->addWidget(table_, 1);
     layout->addWidget(hint_, 1);
     return widget;

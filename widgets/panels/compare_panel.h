@@ -71,6 +71,7 @@ class ComparePanel : public QWidget {
     QPushButton* copy_ = nullptr;
     QTableWidget* table_ = nullptr;
     QLabel* hint_ = nullptr;
+    QLabel* aside_ = nullptr;                 ///< says that runs are out of sight
     std::vector<const RunSession*> columns_;  ///< runs in the table
     bool filling_ = false;
 };

@@ -1452,6 +1452,18 @@
         <source>Save the selected run as a recording</source>
         <translation>Die gewählte Fahrt als Aufzeichnung speichern</translation>
     </message>
+    <message>
+        <source>Runs out of sight</source>
+        <translation>Fahrten außer Sicht</translation>
+    </message>
+    <message>
+        <source>More runs to the right →</source>
+        <translation>Weitere Fahrten rechts →</translation>
+    </message>
+    <message>
+        <source>← More runs to the left</source>
+        <translation>← Weitere Fahrten links</translation>
+    </message>
 </context>
 <context>
     <name>widgets::Document</name>
@@ -1732,11 +1744,19 @@
         <translation>%1 ist nicht mehr da: Projekt speichern, um es zu behalten.</translation>
     </message>
     <message numerus="yes">
-        <source>%n other project(s) with unsaved changes will be offered at the next start.</source>
+        <source>%n other project(s) with unsaved changes: File &gt; Recover unsaved work, or at the next start.</source>
         <translation>
-            <numerusform>%n weiteres Projekt mit ungesicherten Änderungen wird beim nächsten Start angeboten.</numerusform>
-            <numerusform>%n weitere Projekte mit ungesicherten Änderungen werden beim nächsten Start angeboten.</numerusform>
+            <numerusform>%n weiteres Projekt mit ungesicherten Änderungen: Datei &gt; Ungespeichertes wiederherstellen, oder beim nächsten Start.</numerusform>
+            <numerusform>%n weitere Projekte mit ungesicherten Änderungen: Datei &gt; Ungespeichertes wiederherstellen, oder beim nächsten Start.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Ungespeichertes wiederherstellen</translation>
+    </message>
+    <message>
+        <source>No other session left unsaved work behind. What is unsaved in this one is kept safe while it runs.</source>
+        <translation>Keine andere Sitzung hat Ungespeichertes hinterlassen. Was in dieser ungespeichert ist, wird gesichert, solange sie läuft.</translation>
     </message>
 </context>
 <context>
@@ -2606,6 +2626,14 @@
     <message>
         <source>Te&amp;xt size</source>
         <translation>Te&amp;xtgröße</translation>
+    </message>
+    <message>
+        <source>Recover &amp;unsaved work...</source>
+        <translation>&amp;Ungespeichertes wiederherstellen ...</translation>
+    </message>
+    <message>
+        <source>Fetch what sessions that ended badly left unsaved</source>
+        <translation>Holt, was schlecht beendete Sitzungen ungespeichert hinterließen</translation>
     </message>
 </context>
 <context>
@@ -3729,12 +3757,12 @@ oder in der 3-D-Ansicht auswählen.</translation>
         <translation>&amp;Später</translation>
     </message>
     <message>
-        <source>Asks again at the next start</source>
-        <translation>Fragt beim nächsten Start wieder</translation>
-    </message>
-    <message>
         <source>Throw away the changes to %1? They cannot be brought back.</source>
         <translation>Die Änderungen an %1 verwerfen? Sie sind dann nicht wiederzubekommen.</translation>
+    </message>
+    <message>
+        <source>Asks again at the next start; until then: File &gt; Recover unsaved work</source>
+        <translation>Fragt beim nächsten Start wieder; bis dahin: Datei &gt; Ungespeichertes wiederherstellen</translation>
     </message>
 </context>
 <context>

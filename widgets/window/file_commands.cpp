@@ -268,7 +268,7 @@ QStringList FileCommands::exampleFiles() const {
     return files;
 }
 
-void FileCommands::offerRecovery() {
+bool FileCommands::offerRecovery() {
     std::vector<Recovered> found;
     for (Leftover& leftover : findLeftovers()) {
         auto project = simcore::io::loadProject(leftover.copy.toStdString());
@@ -279,11 +279,11 @@ void FileCommands::offerRecovery() {
         }
     }
     if (found.empty()) {
-        return;
+        return false;
     }
     RecoveryDialog dialog(std::move(found), window_);
     if (dialog.exec() != QDialog::Accepted || !mayDiscard()) {
-        return;
+        return true;
     }
     const Recovered& chosen = dialog.chosen();
     document_->recover(chosen.project, chosen.leftover.original, chosen.leftover.digest);
@@ -292,9 +292,19 @@ void FileCommands::offerRecovery() {
     }
     if (dialog.remaining() > 1) {
         emit message(
-            tr("%n other project(s) with unsaved changes will be offered at the next "
-               "start.",
+            tr("%n other project(s) with unsaved changes: File > Recover unsaved work, or at the "
+               "next start.",
                nullptr, dialog.remaining() - 1));
+    }
+    return true;
+}
+
+void FileCommands::recover() {
+    if (!offerRecovery()) {
+        QMessageBox::information(window_, tr("Recover unsaved work"),
+                                 tr("No other session left unsaved work behind. What is unsaved in "
+                                    "this one is kept safe "
+                                    "while it runs."));
     }
 }
 

@@ -48,7 +48,10 @@ class FileCommands : public QObject {
     void discardAutosave() { autosave_.discard(); }
 
     /// Offers what programs that ended badly left behind.
-    void offerRecovery();
+    /// False when there was nothing to offer.
+    bool offerRecovery();
+    /// The same whenever the user asks; says when there is nothing.
+    void recover();
     /// Tells of problems in a box.
     void complain(const QString& title, const simcore::Problems& problems) const;
 

@@ -49,7 +49,7 @@ RecoveryDialog::RecoveryDialog(std::vector<Recovered> found, QWidget* parent)
     discard->setAutoDefault(false);
     QPushButton* later = buttons->addButton(tr("&Later"), QDialogButtonBox::RejectRole);
     later->setObjectName("later");
-    later->setToolTip(tr("Asks again at the next start"));
+    later->setToolTip(tr("Asks again at the next start; until then: File > Recover unsaved work"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(discard, &QPushButton::clicked, this, &RecoveryDialog::throwAway);

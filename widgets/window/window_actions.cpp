@@ -76,6 +76,9 @@ void MainWindow::makeFileActions() {
                   [this] { files_->save(); });
     actions_->add("saveAs", tr("Save &as..."), {QKeySequence("Ctrl+Shift+S")},
                   tr("Save under another name"), [this] { files_->saveAs(); });
+    actions_->add("recover", tr("Recover &unsaved work..."), {},
+                  tr("Fetch what sessions that ended badly left unsaved"),
+                  [this] { files_->recover(); });
     actions_->add("openRecording", tr("Open recordin&g..."), {QKeySequence("Ctrl+Shift+O")},
                   tr("Look at a recorded run"), [this] { recordings_->open(); });
     actions_->add("saveRecording", tr("Save recor&ding..."), {QKeySequence("Ctrl+Shift+R")},
@@ -378,6 +381,7 @@ void MainWindow::makeMenus() {
                 [this, example] { files_->openExample(example); });
     }
     examples->setToolTipsVisible(true);
+    fill(file, {"recover"});
     file->addSeparator();
     fill(file, {"save", "saveAs", "saveRecording", ""});
     QMenu* exports = file->addMenu(tr("&Export"));
