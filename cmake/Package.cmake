@@ -3,7 +3,8 @@
 include(GNUInstallDirs)
 install(TARGETS roversim)
 install(DIRECTORY assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/roverstudio PATTERN icons EXCLUDE)
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/roverstudio PATTERN *.py EXCLUDE)
+# The window opens it, so it is no mere documentation, which systems may leave out.
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/roverstudio PATTERN *.py EXCLUDE)
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/roverstudio)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/roverstudio RENAME copyright)
 set(package "${CMAKE_CURRENT_SOURCE_DIR}/cmake/package")

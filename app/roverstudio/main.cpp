@@ -13,7 +13,9 @@
 #include "simcore/base/version.h"
 #include "simcore/io/project_file.h"
 #include "simcore/project/names.h"
+#include "widgets/panels/advisor_page.h"
 #include "widgets/panels/compare_panel.h"
+#include "widgets/panels/mobility_panel.h"
 #include "widgets/session/experiment.h"
 #include "widgets/session/run_bar.h"
 #include "widgets/session/statics_session.h"
@@ -22,6 +24,7 @@
 #include "widgets/window/language.h"
 #include "widgets/window/main_window.h"
 #include "widgets/window/recording_commands.h"
+#include "widgets/window/tour.h"
 
 namespace {
 
@@ -42,6 +45,7 @@ struct Options {
     std::string controller, against;
     std::vector<std::string> actions;
     double runFor = 0.0;
+    bool tour = false, noTour = false;
     int textSize = 0;  ///< [%]; 0: as last time
 };
 
@@ -129,8 +133,13 @@ int takeScreenshot(widgets::MainWindow& window, const Options& options) {
         dialogs.start();
         window.actions().at(QString::fromStdString(name))->trigger();
     }
+    waitFor(kLongestStudy_ms, [&] { return !window.mobility().advisor().session().isWorking(); });
     // The plots redraw on a timer.
     waitFor(500, [] { return false; });
+    if (auto* beside = window.findChild<QWidget*>("guide");
+        picture.isNull() && beside != nullptr && beside->isVisible()) {
+        picture = beside->grab();
+    }
     if (picture.isNull()) {
         picture = window.grab();
     }
@@ -199,7 +208,14 @@ int run(const Options& options) {
         return takeScreenshot(window, options);
     }
     window.show();
-    QTimer::singleShot(0, &window, [&window] { window.files().offerRecovery(); });
+    QTimer::singleShot(0, &window, [&window, &options] {
+        window.files().offerRecovery();
+        if (options.tour) {
+            window.tour().start();
+        } else if (!options.noTour) {
+            window.tour().offerFirst();
+        }
+    });
     return QApplication::exec();
 }
 
@@ -227,6 +243,9 @@ int main(int argc, char** argv) {
         .add_option("--text-size", options.textSize,
                     "size of all text [% of the system's]; else as last time, for pictures 100")
         ->check(CLI::Range(80, 200));
+    auto* tour = commands.add_flag("--tour", options.tour, "begin with the tour");
+    commands.add_flag("--no-tour", options.noTour, "no tour, not even at the first start")
+        ->excludes(tour);
     std::vector<std::string> languages;
     for (const QString& language : widgets::languages()) {
         languages.push_back(language.toStdString());
@@ -237,8 +256,8 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember(languages));
     commands.add_option("--scenario", options.scenario, "scenario to choose");
     commands.add_option("--panel", options.panel, "panel to bring to the front")
-        ->check(CLI::IsMember({"rover", "mobility", "advisor", "motions", "statics", "compare",
-                               "mass", "problems", "history", "run"}));
+        ->check(CLI::IsMember({"rover", "mobility", "advisor", "motions", "graph", "statics",
+                               "compare", "mass", "problems", "history", "run"}));
     const CLI::IsMember isController(
         simcore::project::allNames<simcore::project::ControllerKind>());
     commands.add_option("--controller", options.controller, "controller to choose")

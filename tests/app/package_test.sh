@@ -15,7 +15,8 @@ dpkg-deb -x "$deb" "$root/tree"
 usr=$root/tree/usr
 for file in share/applications/roverstudio.desktop share/mime/packages/roverstudio.xml \
     share/icons/hicolor/scalable/apps/roverstudio.svg share/man/man1/roverstudio.1 \
-    share/man/man1/roversim.1 share/doc/roverstudio/copyright share/doc/roverstudio/studio.md; do
+    share/man/man1/roversim.1 share/doc/roverstudio/copyright share/roverstudio/docs/studio.md \
+    share/roverstudio/docs/pictures/guide-statics.png; do
     [ -f "$usr/$file" ] || { echo "missing: $file"; exit 1; }
 done
 # Every verb has its line in the manual.

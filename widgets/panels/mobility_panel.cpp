@@ -236,12 +236,14 @@ void MobilityPanel::buildTable(QGridLayout* grid) {
 
     static constexpr std::array<Line, kQuantities> kLines{{
         {QT_TR_NOOP("Grübler count"),
-         QT_TR_NOOP("6 n minus the constraints: what counting alone says")},
+         QT_TR_NOOP(
+             "6 n minus the constraints: what counting alone says. Lamon et al. 2004, equation 1")},
         {QT_TR_NOOP("Bodies, joints"),
          QT_TR_NOOP("Welded parts merged; wheel contacts and differentials counted as joints")},
         {QT_TR_NOOP("Constraints"), QT_TR_NOOP("Rows of the constraint Jacobian")},
-        {QT_TR_NOOP("Rank"), QT_TR_NOOP("Constraints that are independent of each other")},
-        {QT_TR_NOOP("Mobility"), QT_TR_NOOP("Freedoms the rover truly has: 6 n minus the rank")},
+        {QT_TR_NOOP("Rank"), QT_TR_NOOP("Constraints that are independent of each other: rank of "
+                                        "the Jacobian J with J v = 0")},
+        {QT_TR_NOOP("Mobility"), QT_TR_NOOP("Freedoms the rover truly has: 6 n − rank J")},
         {QT_TR_NOOP("Redundant"), QT_TR_NOOP("Constraints minus rank: 0 = statically determinate")},
     }};
     for (int i = 0; i < kQuantities; ++i) {

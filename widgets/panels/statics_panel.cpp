@@ -88,7 +88,8 @@ QWidget* StaticsPanel::makeHeadline() {
     friction_->setAccessibleName(tr("Required friction"));
     friction_->setToolTip(
         tr("The least friction with which some torques within the motors' limits hold the rover "
-           "here"));
+           "here: the largest T/N of the wheels, made as small as the balances allow. These come "
+           "from virtual work and say what equations 2 and 3 of Lamon et al. 2004 say"));
     showFrictionLarge();
     auto* caption = new QLabel(tr("required friction"));
     verdict_ = new QLabel;

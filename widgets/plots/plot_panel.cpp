@@ -235,6 +235,11 @@ QWidget* PlotPanel::Impl::makePlotColumn(int index) {
         chooser->addItem(
             q.unit == "-" ? q.label : QString("%1 [%2]").arg(q.label, prettyUnit(q.unit)),
             q.quantity);
+        if (q.quantity.startsWith("slip_")) {
+            chooser->setItemData(chooser->count() - 1,
+                                 PlotPanel::tr("After equations 5 and 6 of Lamon et al. 2004"),
+                                 Qt::ToolTipRole);
+        }
     }
     chooser->setMinimumWidth(kLeastChooser);
     layout->addWidget(chooser);

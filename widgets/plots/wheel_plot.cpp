@@ -226,6 +226,11 @@ void WheelPlot::setWheelShown(int wheel, bool shown) {
 }
 
 void WheelPlot::setWindow(double from, double to) {
+    constexpr int kLinesPerTick = 4;
+    constexpr int kMostTicks = 6;
+    plot_->xAxis->ticker()->setTickCount(
+        std::clamp(plot_->axisRect()->width() / (kLinesPerTick * plot_->fontMetrics().height()), 2,
+                   kMostTicks));
     plot_->xAxis->setRange(from, to);
     bool any = false;
     QCPRange range;

@@ -158,6 +158,12 @@ QWidget* RunBar::makeSettings() {
     for (const std::string& name : simcore::project::allNames<ControllerKind>()) {
         const auto kind = *simcore::project::fromName<ControllerKind>(name);
         controller_->addItem(controllerTitle(kind), static_cast<int>(kind));
+        if (kind == ControllerKind::EqualTorque || kind == ControllerKind::Torque) {
+            controller_->setItemData(
+                controller_->count() - 1,
+                tr("Shares a common torque by the wheels' loads: equation 4 of Lamon et al. 2004"),
+                Qt::ToolTipRole);
+        }
     }
     add(tr("Controller"), controller_);
     engine_ = new QComboBox;

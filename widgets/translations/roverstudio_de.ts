@@ -1822,6 +1822,37 @@
     </message>
 </context>
 <context>
+    <name>widgets::GuideWindow</name>
+    <message>
+        <source>User guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Handbuch durchsuchen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>The guide is not installed beside the program.</source>
+        <translation>Das Handbuch ist nicht neben dem Programm installiert.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::MainWindow</name>
     <message>
         <source>Rover</source>
@@ -2635,6 +2666,26 @@
         <source>Fetch what sessions that ended badly left unsaved</source>
         <translation>Holt, was schlecht beendete Sitzungen ungespeichert hinterließen</translation>
     </message>
+    <message>
+        <source>&amp;User guide</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>What every panel shows and every key does</source>
+        <translation>Was jedes Feld zeigt und jede Taste tut</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Rundgang</translation>
+    </message>
+    <message>
+        <source>Five minutes with SOLERO; again: ends it</source>
+        <translation>Fünf Minuten mit SOLERO; noch einmal: beendet ihn</translation>
+    </message>
+    <message>
+        <source>&amp;Next step of the tour</source>
+        <translation>&amp;Nächster Schritt des Rundgangs</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MassPanel</name>
@@ -2813,10 +2864,6 @@
         <translation>Laufgrad nach Grübler</translation>
     </message>
     <message>
-        <source>6 n minus the constraints: what counting alone says</source>
-        <translation>6 n minus die Bedingungen: was bloßes Abzählen sagt</translation>
-    </message>
-    <message>
         <source>Bodies, joints</source>
         <translation>Körper, Gelenke</translation>
     </message>
@@ -2837,16 +2884,8 @@
         <translation>Rang</translation>
     </message>
     <message>
-        <source>Constraints that are independent of each other</source>
-        <translation>Voneinander unabhängige Zwangsbedingungen</translation>
-    </message>
-    <message>
         <source>Mobility</source>
         <translation>Laufgrad</translation>
-    </message>
-    <message>
-        <source>Freedoms the rover truly has: 6 n minus the rank</source>
-        <translation>Tatsächliche Freiheiten des Rovers: 6 n minus den Rang</translation>
     </message>
     <message>
         <source>Redundant</source>
@@ -3033,6 +3072,18 @@ Sie stehen unter Probleme.</translation>
     <message>
         <source>Verdict on mobility, in words</source>
         <translation>Urteil über die Beweglichkeit, in Worten</translation>
+    </message>
+    <message>
+        <source>6 n minus the constraints: what counting alone says. Lamon et al. 2004, equation 1</source>
+        <translation>6 n minus die Bedingungen: was bloßes Zählen ergibt. Lamon u. a. 2004, Gleichung 1</translation>
+    </message>
+    <message>
+        <source>Constraints that are independent of each other: rank of the Jacobian J with J v = 0</source>
+        <translation>Bedingungen, die voneinander unabhängig sind: Rang der Jacobi-Matrix J mit J v = 0</translation>
+    </message>
+    <message>
+        <source>Freedoms the rover truly has: 6 n − rank J</source>
+        <translation>Freiheiten, die der Rover wirklich hat: 6 n − Rang J</translation>
     </message>
 </context>
 <context>
@@ -3481,6 +3532,10 @@ Hier erscheint die Kurve jedes Rades</translation>
     <message>
         <source>From %1 to %2 s: change in %3 s</source>
         <translation>Von %1 bis %2 s: Änderung in %3 s</translation>
+    </message>
+    <message>
+        <source>After equations 5 and 6 of Lamon et al. 2004</source>
+        <translation>Nach Gleichung 5 und 6 von Lamon u. a. 2004</translation>
     </message>
 </context>
 <context>
@@ -3970,6 +4025,10 @@ oder in der 3-D-Ansicht auswählen.</translation>
         <source>μ %1</source>
         <translation>μ %1</translation>
     </message>
+    <message>
+        <source>Shares a common torque by the wheels&apos; loads: equation 4 of Lamon et al. 2004</source>
+        <translation>Teilt ein gemeinsames Moment nach den Radlasten auf: Gleichung 4 von Lamon u. a. 2004</translation>
+    </message>
 </context>
 <context>
     <name>widgets::StaticsPanel</name>
@@ -3984,10 +4043,6 @@ oder in der 3-D-Ansicht auswählen.</translation>
     <message>
         <source>Required friction</source>
         <translation>Nötige Reibung</translation>
-    </message>
-    <message>
-        <source>The least friction with which some torques within the motors&apos; limits hold the rover here</source>
-        <translation>Die kleinste Reibungszahl, mit der Drehmomente innerhalb der Motorgrenzen den Rover hier halten</translation>
     </message>
     <message>
         <source>required friction</source>
@@ -4214,6 +4269,121 @@ der Boden bietet %1</translation>
     <message>
         <source>μ* &gt; %1</source>
         <translation>μ* &gt; %1</translation>
+    </message>
+    <message>
+        <source>The least friction with which some torques within the motors&apos; limits hold the rover here: the largest T/N of the wheels, made as small as the balances allow. These come from virtual work and say what equations 2 and 3 of Lamon et al. 2004 say</source>
+        <translation>Die kleinste Reibung, mit der irgendwelche Momente innerhalb der Motorgrenzen den Rover hier halten: das größte T/N der Räder, so klein, wie es die Gleichgewichte zulassen. Diese kommen aus virtueller Arbeit und sagen, was Gleichung 2 und 3 von Lamon u. a. 2004 sagen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Tour</name>
+    <message>
+        <source>Five minutes with SOLERO</source>
+        <translation>Fünf Minuten mit SOLERO</translation>
+    </message>
+    <message>
+        <source>This rover climbs steps higher than its wheels, without a motor in its suspension. The tour drives it, and finds what is wrong with its joints. &lt;b&gt;Enter&lt;/b&gt; goes on, &lt;b&gt;Esc&lt;/b&gt; ends it; &lt;i&gt;Help &amp;gt; Tour&lt;/i&gt; brings it back.</source>
+        <translation>Dieser Rover steigt auf Stufen, die höher sind als seine Räder, ohne Motor in seinem Fahrwerk. Der Rundgang fährt ihn und findet, was an seinen Gelenken nicht stimmt. &lt;b&gt;Eingabe&lt;/b&gt; führt weiter, &lt;b&gt;Esc&lt;/b&gt; beendet ihn; &lt;i&gt;Hilfe &amp;gt; Rundgang&lt;/i&gt; holt ihn wieder.</translation>
+    </message>
+    <message>
+        <source>That was it</source>
+        <translation>Das war es</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+Shift+N&lt;/b&gt; makes a rover of your own from its main dimensions. &lt;b&gt;F1&lt;/b&gt; opens the user guide, &lt;b&gt;Ctrl+F1&lt;/b&gt; lists the keys.</source>
+        <translation>&lt;b&gt;Strg+Umschalt+N&lt;/b&gt; macht aus Hauptmaßen einen eigenen Rover. &lt;b&gt;F1&lt;/b&gt; öffnet das Handbuch, &lt;b&gt;Strg+F1&lt;/b&gt; nennt die Tasten.</translation>
+    </message>
+    <message>
+        <source>Look around</source>
+        <translation>Umsehen</translation>
+    </message>
+    <message>
+        <source>Drag in the 3-D view to turn it, drag with the right button to move it, turn the wheel to zoom.</source>
+        <translation>In der 3D-Ansicht ziehen dreht sie, mit der rechten Taste ziehen verschiebt sie, das Mausrad vergrößert.</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Fahren</translation>
+    </message>
+    <message>
+        <source>Press &lt;b&gt;Space&lt;/b&gt;: SOLERO drives over rough ground. Arrows show the forces of the ground.</source>
+        <translation>&lt;b&gt;Leertaste&lt;/b&gt; drücken: SOLERO fährt über unebenen Boden. Pfeile zeigen die Kräfte des Bodens.</translation>
+    </message>
+    <message>
+        <source>Read the slip</source>
+        <translation>Schlupf ablesen</translation>
+    </message>
+    <message>
+        <source>Every wheel has a curve, with a sign and a colour of its own. Click into a plot: the 3-D view shows that instant, the table its values.</source>
+        <translation>Jedes Rad hat eine Kurve mit eigenem Zeichen und eigener Farbe. In ein Diagramm klicken: Die 3D-Ansicht zeigt diesen Zeitpunkt, die Tabelle seine Werte.</translation>
+    </message>
+    <message>
+        <source>Over-constrained</source>
+        <translation>Überbestimmt</translation>
+    </message>
+    <message>
+        <source>The Grübler count says −20: it should not move at all. Yet it drives, for &lt;b&gt;21 constraints are redundant&lt;/b&gt;: inaccurate parts strain each other, and no statics tell the forces in them.</source>
+        <translation>Die Grübler-Zahl ist −20: Er dürfte sich gar nicht bewegen. Und doch fährt er, denn &lt;b&gt;21 Bedingungen sind redundant&lt;/b&gt;: Ungenaue Teile verspannen einander, und keine Statik nennt die Kräfte darin.</translation>
+    </message>
+    <message>
+        <source>Which joints?</source>
+        <translation>Welche Gelenke?</translation>
+    </message>
+    <message>
+        <source>Click a joint in this list: it is ringed in the 3-D view. The bar is how much of it others hold already.</source>
+        <translation>Ein Gelenk in dieser Liste anklicken: Es bekommt in der 3D-Ansicht einen Ring. Der Balken zeigt, wie viel davon andere schon halten.</translation>
+    </message>
+    <message>
+        <source>Ask the Advisor</source>
+        <translation>Den Ratgeber fragen</translation>
+    </message>
+    <message>
+        <source>Press &lt;b&gt;Ctrl+Shift+A&lt;/b&gt;. It searches joints to free so that nothing is redundant and the rover moves as before.</source>
+        <translation>&lt;b&gt;Strg+Umschalt+A&lt;/b&gt; drücken. Er sucht Gelenke, die zu lösen sind, damit nichts redundant ist und der Rover sich bewegt wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Apply a proposal</source>
+        <translation>Einen Vorschlag anwenden</translation>
+    </message>
+    <message>
+        <source>Choose one that is not applied yet and press &lt;b&gt;Apply proposal&lt;/b&gt;: it becomes the &lt;i&gt;relaxed&lt;/i&gt; model, with nothing redundant. The rover as built stays.</source>
+        <translation>Einen wählen, der noch nicht angewandt ist, und &lt;b&gt;Vorschlag anwenden&lt;/b&gt; drücken: Er wird das &lt;i&gt;gelockerte&lt;/i&gt; Modell, in dem nichts redundant ist. Der Rover wie gebaut bleibt.</translation>
+    </message>
+    <message>
+        <source>Take it back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Ctrl+Z&lt;/b&gt; undoes it, as every other edit.</source>
+        <translation>&lt;b&gt;Strg+Z&lt;/b&gt; nimmt es zurück, wie jede andere Änderung.</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>Progress of the tour</source>
+        <translation>Fortschritt des Rundgangs</translation>
+    </message>
+    <message>
+        <source>&amp;Skip the tour</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>&amp;Finish</source>
+        <translation>Fe&amp;rtig</translation>
     </message>
 </context>
 <context>

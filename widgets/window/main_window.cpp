@@ -45,11 +45,13 @@
 #include "widgets/window/action_registry.h"
 #include "widgets/window/drag_editor.h"
 #include "widgets/window/file_commands.h"
+#include "widgets/window/guide_window.h"
 #include "widgets/window/icons.h"
 #include "widgets/window/recording_commands.h"
 #include "widgets/window/scene_link.h"
 #include "widgets/window/text_size.h"
 #include "widgets/window/theme.h"
+#include "widgets/window/tour.h"
 
 namespace widgets {
 
@@ -106,6 +108,8 @@ MainWindow::MainWindow()
     makeStatusBar();
     drive_ = new ManualDrive(session_, this);
     connect(drive_, &ManualDrive::commandChanged, runBar_, &RunBar::showCommand);
+    tour_ = new Tour(this);
+    connect(tour_, &Tour::runningChanged, actions_->at("tourNext"), &QAction::setEnabled);
     connectParts();
     onProjectChanged();
     updateTitle();
@@ -798,6 +802,15 @@ void MainWindow::showSystem() {
         QMessageBox::Close, this);
     box.setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     box.exec();
+}
+
+void MainWindow::showGuide() {
+    if (guide_ == nullptr) {
+        guide_ = new GuideWindow(this);
+    }
+    guide_->show();
+    guide_->raise();
+    guide_->activateWindow();
 }
 
 void MainWindow::showAbout() {

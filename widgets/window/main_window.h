@@ -23,6 +23,7 @@ class DragEditor;
 class Experiment;
 class FileCommands;
 class GraphPanel;
+class GuideWindow;
 class ManualDrive;
 class MassPanel;
 class MobilityPanel;
@@ -38,6 +39,7 @@ class RunLibrary;
 class SceneLink;
 class StaticsPanel;
 class StaticsSession;
+class Tour;
 class WayReviewer;
 
 /// The studio: editors on the left, the 3D view in the middle, what follows from the design on the
@@ -71,6 +73,8 @@ class MainWindow : public QMainWindow {
     ComparePanel& compare() { return *compare_; }
 
     MobilityPanel& mobility() { return *mobility_; }
+
+    Tour& tour() { return *tour_; }
 
     render::Scene& scene() { return *scene_; }
 
@@ -121,6 +125,7 @@ class MainWindow : public QMainWindow {
     QMenu* makeTextSizeMenu();
     void makeLanguageActions();
     void makeRunActions();
+    void makeHelpActions();
     void makeDocks();
     QWidget* makeLeftPanel();
     void makeMenus();
@@ -154,6 +159,7 @@ class MainWindow : public QMainWindow {
     void saveFilm();
     /// Shows the panels of a kind of work: "design", "simulate" or "compare".
     void arrange(const QString& work);
+    void showGuide();
     void showAbout();
     void showSystem();
     void tell(const QString& message);
@@ -172,6 +178,8 @@ class MainWindow : public QMainWindow {
     SceneLink* link_ = nullptr;
     DragEditor* dragEditor_ = nullptr;
     ManualDrive* drive_ = nullptr;
+    Tour* tour_ = nullptr;
+    GuideWindow* guide_ = nullptr;
     PartsTree* tree_ = nullptr;
     PartsPanel* parts_ = nullptr;
     ParameterPanel* parameters_ = nullptr;

@@ -116,6 +116,8 @@ NewRoverDialog::NewRoverDialog(QWidget* parent)
     resize(QSize(57, 43) * fontMetrics().height());
 
     connect(list_, &QListWidget::currentRowChanged, this, &NewRoverDialog::choose);
+    // A double click takes it as it is.
+    connect(list_, &QListWidget::itemDoubleClicked, create, &QPushButton::click);
     connect(&draft_, &Document::changed, this, &NewRoverDialog::update);
     // The first is the empty one, for which nobody comes here.
     list_->setCurrentRow(std::min(1, list_->count() - 1));

@@ -11,10 +11,9 @@ namespace {
 
 /// Place of the size nearest to `percent`.
 int placeOf(int percent) {
-    const auto* nearest =
-        std::min_element(std::begin(kTextSizes), std::end(kTextSizes), [percent](int a, int b) {
-            return std::abs(a - percent) < std::abs(b - percent);
-        });
+    const auto* nearest = std::min_element(
+        std::begin(kTextSizes), std::end(kTextSizes),
+        [percent](int a, int b) { return std::abs(a - percent) < std::abs(b - percent); });
     return static_cast<int>(nearest - std::begin(kTextSizes));
 }
 

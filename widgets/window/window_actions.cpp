@@ -26,6 +26,7 @@
 #include "widgets/window/main_window.h"
 #include "widgets/window/recording_commands.h"
 #include "widgets/window/text_size.h"
+#include "widgets/window/tour.h"
 
 namespace widgets {
 
@@ -47,17 +48,34 @@ void MainWindow::makeActions() {
     makePartActions();
     makeViewActions();
     makeRunActions();
-    actions_->add("shortcuts", tr("&Keyboard shortcuts"), {QKeySequence(Qt::Key_F1)},
-                  tr("List all shortcuts"), [this] { showShortcuts(*actions_, this); });
-    actions_->add("system", tr("System &information"), {},
-                  tr("Versions and what draws, for a report"), [this] { showSystem(); });
-    actions_->add("about", tr("&About RoverStudio"), {}, {}, [this] { showAbout(); });
+    makeHelpActions();
     for (QAction* action : actions_->all()) {
         // The step keys belong to the view and the run panel alone: see makeDocks().
         if (action != actions_->at("step") && action != actions_->at("stepBack")) {
             addAction(action);
         }
     }
+}
+
+void MainWindow::makeHelpActions() {
+    actions_->add("guide", tr("&User guide"), {QKeySequence(Qt::Key_F1)},
+                  tr("What every panel shows and every key does"), [this] { showGuide(); });
+    actions_->add("tour", tr("&Tour"), {QKeySequence("Shift+F1")},
+                  tr("Five minutes with SOLERO; again: ends it"), [this] {
+                      if (tour_->isRunning()) {
+                          tour_->end();
+                      } else {
+                          tour_->start();
+                      }
+                  });
+    actions_->add("tourNext", tr("&Next step of the tour"), {QKeySequence("Ctrl+Return")}, {},
+                  [this] { tour_->next(); });
+    actions_->at("tourNext")->setEnabled(false);
+    actions_->add("shortcuts", tr("&Keyboard shortcuts"), {QKeySequence("Ctrl+F1")},
+                  tr("List all shortcuts"), [this] { showShortcuts(*actions_, this); });
+    actions_->add("system", tr("System &information"), {},
+                  tr("Versions and what draws, for a report"), [this] { showSystem(); });
+    actions_->add("about", tr("&About RoverStudio"), {}, {}, [this] { showAbout(); });
 }
 
 void MainWindow::makeFileActions() {
@@ -411,7 +429,8 @@ void MainWindow::makeMenus() {
           "addRecording", "experiment", "", "faster", "slower", "", "showDesign"});
     fill(menuBar()->addMenu(tr("&Analyze")), {"showMobility", "advise", "showMotions", "showGraph",
                                               "showStatics", "showCompare", "showProblems"});
-    fill(menuBar()->addMenu(tr("&Help")), {"shortcuts", "system", "", "about"});
+    fill(menuBar()->addMenu(tr("&Help")),
+         {"guide", "tour", "tourNext", "shortcuts", "", "system", "about"});
 }
 
 void MainWindow::updateRecent() {

@@ -1,0 +1,117 @@
+// The user guide: opened by F1, all its pages, links, pictures and words can be reached.
+#include <QDir>
+#include <QFile>
+#include <QLineEdit>
+#include <QRegularExpression>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QTreeWidget>
+
+#include <gmock/gmock.h>
+
+#include "tests/support/names.h"
+#include "tests/support/studio.h"
+#include "widgets/window/guide_window.h"
+
+using testing::IsEmpty;
+
+namespace {
+
+class GuideTest : public testsupport::StudioTest {
+  protected:
+    widgets::GuideWindow* open() {
+        press(Qt::Key_F1);
+        auto* guide = window->findChild<widgets::GuideWindow*>("guide");
+        EXPECT_TRUE(guide != nullptr && guide->isVisible());
+        QTest::qWait(100);  // until the window that had the key is told so
+        guide->activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(guide));
+        return guide;
+    }
+
+    static QString textOf(const QString& file) {
+        QFile page(file);
+        EXPECT_TRUE(page.open(QIODevice::ReadOnly)) << file.toStdString();
+        return QString::fromUtf8(page.readAll());
+    }
+};
+
+}  // namespace
+
+TEST_F(GuideTest, OpensBesideTheWindowAndListsItsPages) {
+    auto* guide = open();
+    EXPECT_FALSE(guide->isModal());
+    EXPECT_EQ(guide->page(), "studio.md");
+    EXPECT_THAT(testsupport::unnamedWidgets(guide), IsEmpty());
+    auto* contents = guide->findChild<QTreeWidget*>("guideContents");
+    ASSERT_GT(contents->topLevelItemCount(), 10);
+    EXPECT_EQ(contents->topLevelItem(0)->text(0), "The window");
+    QTreeWidgetItem* plots = nullptr;
+    for (int i = 0; i < contents->topLevelItem(0)->childCount(); ++i) {
+        QTreeWidgetItem* item = contents->topLevelItem(0)->child(i);
+        plots = item->text(0) == "Plots" ? item : plots;
+    }
+    ASSERT_NE(plots, nullptr);
+    QTest::mouseClick(contents->viewport(), Qt::LeftButton, {},
+                      contents->visualItemRect(plots).center());
+    EXPECT_EQ(guide->headingOnShow(), "Plots");
+    // Again, and it is the same window.
+    press(Qt::Key_F1);
+    EXPECT_EQ(window->findChildren<widgets::GuideWindow*>().size(), 1);
+}
+
+TEST_F(GuideTest, GoesBackAndForward) {
+    auto* guide = open();
+    EXPECT_FALSE(guide->canGoBack());
+    ASSERT_TRUE(guide->showPage("mobility.md", "the-advisor"));
+    EXPECT_EQ(guide->headingOnShow(), "The Advisor");
+    QTest::keyClick(guide, Qt::Key_Left, Qt::AltModifier);
+    EXPECT_TRUE(testsupport::waitUntil([&] { return guide->page() == "studio.md"; }));
+    QTest::keyClick(guide, Qt::Key_Right, Qt::AltModifier);
+    EXPECT_TRUE(testsupport::waitUntil([&] { return guide->page() == "mobility.md"; }));
+    EXPECT_FALSE(guide->showPage("nothing.md"));
+    EXPECT_EQ(guide->page(), "mobility.md");
+}
+
+TEST_F(GuideTest, SearchGoesOnThroughAllPages) {
+    auto* guide = open();
+    auto* field = guide->findChild<QLineEdit*>("guideSearch");
+    type(field, "PlotJuggler");
+    const QString first = guide->page();
+    EXPECT_NE(first, "studio.md");
+    EXPECT_EQ(guide->findChild<QTextBrowser*>("guideText")->textCursor().selectedText(),
+              "PlotJuggler");
+    EXPECT_FALSE(guide->findNext("xyzzy is nowhere"));
+}
+
+// What leads nowhere in the guide: links between pages, to headings, and pictures.
+TEST_F(GuideTest, EveryLinkLeadsSomewhere) {
+    const QString folder = widgets::guideFolder();
+    ASSERT_FALSE(folder.isEmpty());
+    auto* guide = open();
+    std::vector<std::string> dead;
+    const QRegularExpression link("\\]\\(([^)\\s]+)\\)");
+    for (const QString& page : QDir(folder).entryList({"*.md"}, QDir::Files)) {
+        auto found = link.globalMatch(textOf(folder + "/" + page));
+        while (found.hasNext()) {
+            const QString target = found.next().captured(1);
+            if (target.startsWith("http")) {
+                continue;
+            }
+            const QString file = target.section('#', 0, 0);
+            const QString heading = target.section('#', 1);
+            bool good = file.isEmpty() || QFile::exists(folder + "/" + file);
+            if (good && !heading.isEmpty() && (file.isEmpty() || file.endsWith(".md")) &&
+                !file.contains('/')) {
+                const QString on = file.isEmpty() ? page : file;
+                guide->showPage(on, heading);
+                const auto* text = guide->findChild<QTextBrowser*>("guideText");
+                good = widgets::headingName(text->textCursor().block().text()) == heading;
+            }
+            if (!good) {
+                dead.push_back((page + ": " + target).toStdString());
+            }
+        }
+    }
+    EXPECT_THAT(dead, IsEmpty());
+}
