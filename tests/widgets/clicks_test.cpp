@@ -106,7 +106,8 @@ TEST_F(ClicksTest, AdviceIsAppliedWithThree) {
     clickTab(find<QDockWidget>("problemsDock")->windowTitle());
     click("fix:hyperstatic");
     auto& advisor = window->mobility().advisor().session();
-    ASSERT_TRUE(waitUntil([&] { return advisor.advice() != nullptr && !advisor.isWorking(); }, 60000));
+    ASSERT_TRUE(
+        waitUntil([&] { return advisor.advice() != nullptr && !advisor.isWorking(); }, 60000));
     click("advisorApply");
     EXPECT_EQ(window->document().derived().relaxed.redundant, 0);
     EXPECT_LE(clicks.count(), 3);

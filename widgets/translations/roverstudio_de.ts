@@ -2648,7 +2648,7 @@
     </message>
     <message>
         <source>&amp;Normal</source>
-        <translation>&amp;Normal</translation>
+        <translation>&amp;Wie im System</translation>
     </message>
     <message>
         <source>Text as large as the system has it</source>
