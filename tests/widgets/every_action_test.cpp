@@ -139,9 +139,10 @@ bool edits(const QString& name) {
 
 /// Those that begin with a question in the state of the test.
 const std::set<QString> kAsk{
-    "new",       "newFromTemplate", "open",       "saveAs",     "openRecording", "saveRecording",
-    "exportCsv", "exportPlots",     "screenshot", "exportFilm", "quit",          "shortcuts",
-    "system",    "about",           "languageDE", "languageEN", "languageSystem"};
+    "new",           "newFromTemplate", "open",           "saveAs",       "openRecording",
+    "saveRecording", "exportCsv",       "exportChannels", "addRecording", "recover",
+    "exportPlots",   "screenshot",      "exportFilm",     "quit",         "shortcuts",
+    "system",        "about",           "languageDE",     "languageEN",   "languageSystem"};
 
 }  // namespace
 

@@ -117,6 +117,7 @@ MobilityList::MobilityList(QWidget* parent)
     kind_->setAccessibleName(tr("What lies behind the counts"));
     title_->setObjectName("mobilityListTitle");
     title_->setWordWrap(true);
+    title_->setAccessibleName(kind_->currentText());
     title_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     list_->setColumnCount(2);
     list_->setHeaderHidden(true);
@@ -332,6 +333,7 @@ void MobilityList::fill() {
                                           : kind == Reactions ? reactionItems()
                                                               : constraintItems();
     list_->setAccessibleName(kind_->currentText());
+    title_->setAccessibleName(kind_->currentText());
     list_->addTopLevelItems(items);
     for (QTreeWidgetItem* item : items) {
         item->setExpanded(expanded[item->text(0)]);

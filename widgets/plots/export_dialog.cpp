@@ -81,6 +81,7 @@ ExportDialog::ExportDialog(const simcore::run::Recording& recording,
     button(tr("Untick all shown"), "exportNone", [this] { tickShown(false); });
     ticks->addStretch(1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    buttons->button(QDialogButtonBox::Cancel)->setObjectName("exportCancel");
     write_ = buttons->addButton(tr("Write..."), QDialogButtonBox::AcceptRole);
     write_->setObjectName("exportWrite");
     write_->setDefault(true);

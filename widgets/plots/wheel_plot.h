@@ -96,7 +96,7 @@ class WheelPlot {
     /// Least and largest value of a curve between two times; least above largest: there is none.
     std::pair<double, double> valuesIn(std::size_t curve, double from, double to) const;
 
-    std::size_t objects_ = 0;        ///< curves a run
+    std::size_t objects_ = 0;                                     ///< curves a run
     std::vector<std::vector<std::pair<double, double>>> blocks_;  ///< of every curve
     std::vector<int> columns_;       ///< channel of every curve, run by run
     std::vector<QCPGraph*> curves_;  ///< run by run
