@@ -74,6 +74,8 @@ TEST_F(TourTest, LeadsFromALookAroundToExactJointsAndBack) {
     EXPECT_TRUE(ring.contains(QRect(play->mapTo(window.get(), QPoint(0, 0)), play->size())));
     press(Qt::Key_Space);
     EXPECT_TRUE(becomesDone());
+    // As long as it takes for curves to be where the plot is clicked.
+    ASSERT_TRUE(waitUntil([&] { return window->session().endTime() > 6.0; }, 60000));
     next();
 
     EXPECT_FALSE(tour().isStepDone());
