@@ -12,7 +12,7 @@ namespace {
 // More than any usual ground asks for, so that a drive takes nothing more from the heap.
 constexpr std::size_t kRoom = 256;
 constexpr std::size_t kFirstTable = 1024;
-constexpr int kNone = -1;
+constexpr int kNoCorner = -1;
 
 /// How a plane passes through a triangle: one corner is alone on its side of it.
 struct Passage {
@@ -34,7 +34,7 @@ std::size_t hashOf(int vertex, std::size_t size) {
 
 }  // namespace
 
-GroundPatch::GroundPatch() : table_(kFirstTable, kNone) {
+GroundPatch::GroundPatch() : table_(kFirstTable, kNoCorner) {
     vertices_.reserve(kRoom);
     for (std::vector<double>* numbers : {&x_, &y_, &z_, &distances_, &alongU_, &alongV_}) {
         numbers->reserve(kRoom);
@@ -58,11 +58,11 @@ void GroundPatch::add(std::size_t plane, int triangle, double reach) {
 
 void GroundPatch::take(const TriangleMesh& mesh, std::span<const Vec3> normals) {
     if (8 * vertices_.size() > table_.size()) {
-        std::fill(table_.begin(), table_.end(), kNone);
+        std::fill(table_.begin(), table_.end(), kNoCorner);
     } else {
         while (
             !vertices_.empty()) {  // the last come first out: their slots were found past others'
-            table_[slotOf(vertices_.back())] = kNone;
+            table_[slotOf(vertices_.back())] = kNoCorner;
             vertices_.pop_back();
         }
     }
@@ -75,7 +75,7 @@ void GroundPatch::take(const TriangleMesh& mesh, std::span<const Vec3> normals) 
         // A triangle that lies in several cells is found in each, as near as in any.
         std::sort(found.begin(), found.end(),
                   [](const Candidate& a, const Candidate& b) { return a.triangle < b.triangle; });
-        int last = kNone;
+        int last = kNoCorner;
         for (const Candidate& candidate : found) {
             if (candidate.triangle == last) {
                 continue;
@@ -100,7 +100,8 @@ void GroundPatch::take(const TriangleMesh& mesh, std::span<const Vec3> normals) 
 /// Of the table: where the vertex is, or belongs.
 std::size_t GroundPatch::slotOf(int vertex) const {
     std::size_t slot = hashOf(vertex, table_.size());
-    while (table_[slot] != kNone && vertices_[static_cast<std::size_t>(table_[slot])] != vertex) {
+    while (table_[slot] != kNoCorner &&
+           vertices_[static_cast<std::size_t>(table_[slot])] != vertex) {
         slot = (slot + 1) & (table_.size() - 1);
     }
     return slot;
@@ -108,7 +109,7 @@ std::size_t GroundPatch::slotOf(int vertex) const {
 
 int GroundPatch::cornerOf(int vertex, const Vec3& place) {
     const std::size_t slot = slotOf(vertex);
-    if (table_[slot] != kNone) {
+    if (table_[slot] != kNoCorner) {
         return table_[slot];
     }
     const int corner = static_cast<int>(vertices_.size());
@@ -124,7 +125,7 @@ int GroundPatch::cornerOf(int vertex, const Vec3& place) {
 }
 
 void GroundPatch::growTable() {
-    table_.assign(2 * table_.size(), kNone);
+    table_.assign(2 * table_.size(), kNoCorner);
     for (std::size_t corner = 0; corner < vertices_.size(); ++corner) {
         table_[slotOf(vertices_[corner])] = static_cast<int>(corner);
     }

@@ -124,7 +124,7 @@ PartsTree::PartsTree(Document* document, QWidget* parent)
     });
     connect(this, &QTreeWidget::itemSelectionChanged, this, [this] {
         if (!refreshing_) {
-            emit selectionChanged();
+            emit selectionMoved();
         }
     });
     connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
@@ -284,7 +284,7 @@ void PartsTree::select(ElementRef element) {
         scrollToItem(found->second);
     }
     refreshing_ = false;
-    emit selectionChanged();
+    emit selectionMoved();
 }
 
 void PartsTree::toggle(ElementRef element) {
@@ -297,7 +297,7 @@ void PartsTree::toggle(ElementRef element) {
     setCurrentItem(found->second, 0, QItemSelectionModel::Toggle | QItemSelectionModel::Rows);
     scrollToItem(found->second);
     refreshing_ = false;
-    emit selectionChanged();
+    emit selectionMoved();
 }
 
 ElementRef PartsTree::selected() const {
@@ -362,7 +362,7 @@ void PartsTree::selectThese(const std::vector<ElementRef>& elements) {
         scrollToItem(found->second);
     }
     refreshing_ = false;
-    emit selectionChanged();
+    emit selectionMoved();
 }
 
 void PartsTree::selectAppended(const Project& before, ElementRef current) {

@@ -53,7 +53,7 @@ class PartsTree : public QTreeWidget {
     /// The user selected another element.
     void elementSelected(simcore::project::ElementRef element);
     /// selection() may be another one, by whatever way.
-    void selectionChanged();
+    void selectionMoved();
     /// A change was refused.
     void refused(const QString& why);
     /// Something worth knowing was done.

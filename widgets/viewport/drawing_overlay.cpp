@@ -125,7 +125,7 @@ void DrawingOverlay::paintRulers(QPainter& painter, const Projection& projection
         painter.drawLine(QPointF(ruler, y), QPointF(ruler - (numbered ? 7 : 4), y));
         if (numbered) {
             painter.save();
-            painter.translate(ruler - ruler * 3 / 5, y);
+            painter.translate(0.4 * ruler, y);
             painter.rotate(-90.0);
             painter.drawText(QRectF(-40, -8, 80, 16), Qt::AlignCenter, millimetres(value));
             painter.restore();

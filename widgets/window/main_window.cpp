@@ -316,7 +316,7 @@ void MainWindow::connectParts() {
     connect(files_, &FileCommands::recentFilesChanged, this, &MainWindow::updateRecent);
 
     connect(tree_, &PartsTree::elementSelected, this, &MainWindow::selectElement);
-    connect(tree_, &PartsTree::selectionChanged, mobility_,
+    connect(tree_, &PartsTree::selectionMoved, mobility_,
             [this] { mobility_->setSelection(tree_->selection()); });
     connect(tree_, &PartsTree::refused, this, &MainWindow::tell);
     connect(tree_, &PartsTree::message, this, &MainWindow::tell);
