@@ -173,9 +173,8 @@ class Sequence {
     /// Moves `y` to the minimum. False, with `y` spoilt, when it does not get there.
     bool solve(VectorXd& y, double tolerance) {
         prepare(y.size());
-        constexpr double kLargest = 10.0;
-        double best = isWithin(program_, y) ? program_.reached(y) : kInfinity;
-        double s = std::min(kLargest, program_.reached(y));
+        double best = isWithin(program_, y) ? reachedNear(y) : kInfinity;
+        double s = std::min(kLargest, reachedNear(y));
         double caution = kFirstCaution;
         std::vector<bool> last;
         for (int k = 0; k < kMostSteps; ++k) {
@@ -183,7 +182,7 @@ class Sequence {
             Optimum optimum = minimise(quadratic_, multipliers_);
             multipliers_ = std::move(optimum.multipliers);
             VectorXd next = y + optimum.x.head(y.size());
-            const double reached = program_.reached(next);
+            const double reached = reachedNear(next);
             const double promised = -optimum.x[y.size()];
             if (std::isfinite(best)) {
                 // Nothing to be gained, however far: the conditions hold here.
@@ -237,6 +236,13 @@ class Sequence {
     /// A cone that reaches less counts as if it did, so that s may grow to free it.
     static constexpr double kLeastReach = 0.05;
     static constexpr double kLeastLength = 1e-9;
+    static constexpr double kLargest = 10.0;
+
+    /// What y reaches; infinite where that is so much that it tells nothing of the way to less.
+    double reachedNear(const VectorXd& y) const {
+        const double reached = program_.reached(y);
+        return reached <= kLargest ? reached : kInfinity;
+    }
 
     Index cones() const { return static_cast<Index>(program_.cones.size()); }
 

@@ -337,10 +337,8 @@ double Traverse::frictionRequired() const {
     constexpr double kUnheld = 0.1;  // radii
     double unheld = 0.0;
     bool passable = end == TraverseEnd::Arrived && !samples.empty();
-    const auto holds = [](const TraverseSample& at) { return !at.climbs || isHeld(at); };
     for (std::size_t i = 1; i < samples.size(); ++i) {
-        // Known not to be held is what lies between two samples that are not.
-        const bool held = holds(samples[i]) || holds(samples[i - 1]);
+        const bool held = !samples[i].climbs || isHeld(samples[i]);
         unheld = held ? 0.0 : unheld + samples[i].way - samples[i - 1].way;
         passable = passable && unheld < kUnheld * radius;
     }

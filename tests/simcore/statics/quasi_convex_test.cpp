@@ -21,7 +21,8 @@ MatrixXd randomMatrix(Random& random, Eigen::Index rows, Eigen::Index cols) {
 }
 
 /// Cones of the kind that contacts make, in a box of y.
-QuasiConvexProgram randomProgram(int seed, Eigen::Index n, int cones, Eigen::Index size) {
+QuasiConvexProgram randomProgram(int seed, Eigen::Index n, int cones, Eigen::Index size,
+                                 double box = 2.0) {
     Random random(static_cast<std::uint64_t>(seed));
     QuasiConvexProgram program;
     for (int i = 0; i < cones; ++i) {
@@ -34,8 +35,8 @@ QuasiConvexProgram randomProgram(int seed, Eigen::Index n, int cones, Eigen::Ind
         program.cones.push_back(cone);
     }
     for (Eigen::Index k = 0; k < n; ++k) {
-        program.halfSpaces.push_back({VectorXd::Unit(n, k), 2.0});
-        program.halfSpaces.push_back({-VectorXd::Unit(n, k), 2.0});
+        program.halfSpaces.push_back({VectorXd::Unit(n, k), box});
+        program.halfSpaces.push_back({-VectorXd::Unit(n, k), box});
     }
     return program;
 }
@@ -77,6 +78,32 @@ TEST(QuasiConvexTest, NeedsNothingWhereNothingPulls) {
     VectorXd y = VectorXd::Constant(2, 5.0);
     ASSERT_TRUE(minimise(program, y, kTolerance));
     EXPECT_LE(program.reached(y), kTolerance);
+}
+
+// Where wheels press against each other without end, as where joints are nearly locked, a guess may
+// be far away and ask for any friction.
+TEST(QuasiConvexTest, ComesBackFromFarAway) {
+    constexpr double kFar = 300.0;
+    int far = 0;
+    for (int seed = 1; seed <= 200; ++seed) {
+        const QuasiConvexProgram program =
+            randomProgram(seed, 2 + seed % 7, 3, 1 + seed % 2, 4.0 * kFar);
+        const Eigen::Index n = program.cones.front().slope.size();
+        Random random(static_cast<std::uint64_t>(2000 + seed));
+        VectorXd y = VectorXd::Zero(n);
+        ASSERT_TRUE(minimise(program, y, kTolerance)) << seed;
+        const double best = program.reached(y);
+        for (int k = 0; k < 20; ++k) {
+            VectorXd other = kFar * randomMatrix(random, n, 1);
+            const double reached = program.reached(other);
+            if (std::isfinite(reached) && reached > 10.0) {
+                ++far;
+                ASSERT_TRUE(minimise(program, other, kTolerance)) << seed;
+                EXPECT_NEAR(program.reached(other), best, 1e-6 * (1.0 + best)) << seed;
+            }
+        }
+    }
+    EXPECT_GT(far, 20);
 }
 
 // From any start the same minimum, and nothing better by lot near it or far from it.
