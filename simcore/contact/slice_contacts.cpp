@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "simcore/base/planar.h"
 
@@ -41,10 +40,10 @@ Vec3 cornerNormal(const Vec3& first, const Vec3& second, const Eigen::Vector2d& 
     return normal.dot(towards) > kBackToBack ? Vec3(normal.normalized()) : towards;
 }
 
-double turnBetween(const SliceSegment& first, const SliceSegment& second) {
+double turnCosine(const SliceSegment& first, const SliceSegment& second) {
     const Eigen::Vector2d a = first.b - first.a;
     const Eigen::Vector2d b = second.b - second.a;
-    return std::atan2(std::abs(cross(a, b)), a.dot(b));
+    return a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm());
 }
 
 /// Round the disc from straight below, + ahead [rad].
@@ -150,8 +149,7 @@ void SliceContactFinder::addCorner(std::size_t index, bool atStart) {
                             : Vec3(out.x() * plane_->u + out.y() * plane_->v);
     const double depth = (radius_ - distance) * inPlane(normal, *plane_).norm();
     if (depth > -margin_) {
-        add({point, normal, depth,
-             neighbour != nullptr ? turnBetween(own, *neighbour) : std::numbers::pi});
+        add({point, normal, depth, neighbour != nullptr ? turnCosine(own, *neighbour) : -1.0});
     }
 }
 

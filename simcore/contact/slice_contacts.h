@@ -13,9 +13,9 @@ struct SliceContact {
     Eigen::Vector2d point;  ///< on the ground [m]
     Vec3 normal;            ///< unit, ground to wheel, world
     double depth;           ///< penetration along the normal [m], > 0 inside
-    /// By which the section turns at a corner; 0 on a face, a straight angle where the ground ends
-    /// [rad].
-    double turn = 0.0;
+    /// Cosine of the angle by which the section turns at a corner; 1 on a face, -1 where the ground
+    /// ends.
+    double turnCosine = 1.0;
 };
 
 /// More contacts of a disc than this are thinned out: the deepest of every patch stay.

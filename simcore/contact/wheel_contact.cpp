@@ -90,7 +90,7 @@ bool WheelContactFinder::isOutdone(std::size_t wheel, const SlicePlane& plane,
     const Eigen::Vector2d down(-by.normal.dot(plane.u), -by.normal.dot(plane.v));
     return depth > 0.0 &&
            std::all_of(segments_.begin(), segments_.end(), [&](const terrain::SliceSegment& s) {
-               const Eigen::Vector2d nearest = s.a + std::clamp(s.nearest, 0.0, 1.0) * (s.b - s.a);
+               const Eigen::Vector2d nearest = s.nearestPoint();
                const double distance = nearest.norm();
                // At the ground's border a contact points from there to the disc's centre.
                return distance > beyond && s.normal.dot(by.normal) > kLikeNormal &&
@@ -102,7 +102,8 @@ void WheelContactFinder::add(int wheel, int slice, const SlicePlane& plane, cons
                              const SliceContact& contact) {
     const Vec3 point = plane.origin + contact.point.x() * plane.u + contact.point.y() * plane.v;
     contacts_.push_back({wheel, slice, point, contact.normal,
-                         axis.cross(contact.normal).normalized(), contact.depth, -1, contact.turn});
+                         axis.cross(contact.normal).normalized(), contact.depth, -1,
+                         contact.turnCosine});
 }
 
 void WheelContactFinder::findOuter(std::size_t wheel, const SlicePlane& middle, const Vec3& axis) {

@@ -25,7 +25,8 @@ struct Contact {
     Vec3 forward = Vec3::UnitX();  ///< unit, the rolling direction, square to the normal, world
     double depth = 0.0;            ///< penetration [m], > 0 inside
     int body = -1;                 ///< where no wheel touches: the body that does
-    double turn = 0.0;             ///< of a wheel's rim on an edge: by which the ground turns [rad]
+    /// Of a wheel's rim on an edge: cosine of the angle by which the ground turns there.
+    double turnCosine = 1.0;
 };
 
 /// The body that touches.

@@ -82,6 +82,12 @@ class LoopClosures {
         return root < 0 ? nullptr : &roots_[static_cast<std::size_t>(root)];
     }
 
+    /// The last rate of that root; -1 where there is none. Later ones are those of a body's way.
+    int lastRootRate(std::size_t body) const {
+        const FloatingRoot* const root = rootOf(body);
+        return root == nullptr ? -1 : root->lastRate;
+    }
+
     /// All of them.
     const std::vector<FloatingRoot>& roots() const { return roots_; }
 

@@ -236,8 +236,7 @@ void ReducedEngine::mapBody(int position) {
         map.twists[i].setZero();
         places_[static_cast<std::size_t>(map.indices[i])] = i;
     }
-    const FloatingRoot* const root = loops_.rootOf(static_cast<std::size_t>(position));
-    const int rootRate = root != nullptr ? root->lastRate : -1;
+    const int rootRate = loops_.lastRootRate(static_cast<std::size_t>(position));
     int rate = tree_.bodies()[static_cast<std::size_t>(position)].lastRate;
     for (; rate > rootRate; rate = tree_.rateBefore(rate)) {
         for (const RateTerm& term : loops_.terms(rate)) {

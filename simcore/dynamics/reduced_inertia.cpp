@@ -17,7 +17,7 @@ void ReducedInertia::assemble(RowMajor& mass) {
     mass.setZero();
     motion_.visitMomenta([&](std::size_t body, int j, const Vec6& momentum) {
         const FloatingRoot* const root = loops_.rootOf(body);
-        const int rootRate = root != nullptr ? root->lastRate : -1;
+        const int rootRate = loops_.lastRootRate(body);
         // The root's rates are its twist: what they share with others is a momentum as it stands.
         for (const RateTerm& own : loops_.terms(j)) {
             double* const row = mass.row(own.index).data();

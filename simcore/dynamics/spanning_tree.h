@@ -159,17 +159,6 @@ class TreeMotion {
         }
     }
 
-    /// Calls entry(i, j, H_ij) for every element of the tree's mass matrix with i on the way from
-    /// rate j to the world, i = j included.
-    template <class Entry>
-    void massMatrix(Entry&& entry) {
-        visitMomenta([&](std::size_t, int j, const Vec6& momentum) {
-            for (int i = j; i >= 0; i = tree_.rateBefore(i)) {
-                entry(i, j, screws_[static_cast<std::size_t>(i)].dot(momentum));
-            }
-        });
-    }
-
   private:
     const mechanism::Mechanism& mechanism_;
     const SpanningTree& tree_;

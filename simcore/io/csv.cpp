@@ -242,12 +242,6 @@ std::string formatCsv(const std::vector<run::Channel>& channels,
     return out;
 }
 
-std::string formatCsvMetadata(const run::Recording& recording, const run::ResolvedRun& settings,
-                              const run::RunReport& report, const RecordingOrigin& origin) {
-    return formatJson(metadata(recording.channels, recording.rows.size(), settings, report.engine,
-                               report.stateHash, origin, toJson(report)));
-}
-
 Result<bool> exportCsv(RecordingReader& recording, const std::string& recordingFile,
                        const std::filesystem::path& file, const TableCut& cut) {
     const RecordingHeader& header = recording.header();

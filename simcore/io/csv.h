@@ -32,11 +32,6 @@ RecordingOrigin originOf(const project::Project& project, const run::RunRequest&
 std::string formatCsv(const std::vector<run::Channel>& channels,
                       const std::vector<std::vector<double>>& rows);
 
-/// The JSON beside the table: `schema`, `program_version`, origin, settings, seed, state hash, the
-/// report and the meaning of every column.
-std::string formatCsvMetadata(const run::Recording& recording, const run::ResolvedRun& settings,
-                              const run::RunReport& report, const RecordingOrigin& origin);
-
 /// Part of a recording for a table.
 struct TableCut {
     /// Names of channels: "slip_abs_front" is one, "slip_abs" the quantity of all objects; empty:

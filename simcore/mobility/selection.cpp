@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "simcore/base/groups.h"
 #include "simcore/project/element_names.h"
 
 namespace simcore::mobility {
@@ -17,28 +17,6 @@ namespace {
 using project::ElementKind;
 using project::ElementRef;
 using project::Side;
-
-/// Groups of nodes that edges connect.
-class Groups {
-  public:
-    explicit Groups(std::size_t nodes) : parent_(nodes) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
-
-    int of(int node) {
-        while (at(node) != node) {
-            node = at(node) = at(at(node));
-        }
-        return node;
-    }
-
-    void join(int a, int b) { at(of(a)) = of(b); }
-
-  private:
-    int& at(int node) { return parent_[static_cast<std::size_t>(node)]; }
-
-    std::vector<int> parent_;
-};
 
 /// All bodies that the selection means, ascending.
 std::set<int> bodiesOf(const mechanism::Mechanism& mechanism, const Selection& selection) {
@@ -105,16 +83,27 @@ int indexOf(const mechanism::Mechanism& mechanism, ElementKind kind, const std::
     }
 }
 
-void add(Selection& selection, ElementKind kind, int index) {
-    if (index < 0) {
-        return;
-    }
-    auto& list = kind == ElementKind::Body    ? selection.bodies
-                 : kind == ElementKind::Joint ? selection.joints
-                                              : selection.wheels;
-    if (std::find(list.begin(), list.end(), index) == list.end()) {
+void add(std::vector<int>& list, int index) {
+    if (index >= 0 && std::find(list.begin(), list.end(), index) == list.end()) {
         list.push_back(index);
     }
+}
+
+void add(Selection& selection, ElementKind kind, int index) {
+    add(kind == ElementKind::Body    ? selection.bodies
+        : kind == ElementKind::Joint ? selection.joints
+                                     : selection.wheels,
+        index);
+}
+
+/// Both, each thing once.
+Selection united(Selection a, const Selection& b) {
+    for (auto list : {&Selection::bodies, &Selection::joints, &Selection::wheels}) {
+        for (const int index : b.*list) {
+            add(a.*list, index);
+        }
+    }
+    return a;
 }
 
 bool isMirrored(const project::Project& project, ElementRef element) {
@@ -246,14 +235,9 @@ Selection selectionOf(const project::Project& project, const mechanism::Mechanis
             add(center, element.kind, indexOf(mechanism, element.kind, name));
         }
     }
-    const auto with = [](Selection a, const Selection& b) {
-        a.bodies.insert(a.bodies.end(), b.bodies.begin(), b.bodies.end());
-        a.joints.insert(a.joints.end(), b.joints.begin(), b.joints.end());
-        a.wheels.insert(a.wheels.end(), b.wheels.begin(), b.wheels.end());
-        return a;
-    };
-    const Selection all = with(with(center, left), right);
-    return joinsSides(mechanism, all, left, right) ? all : with(center, left);
+    const Selection oneSide = united(center, left);
+    const Selection all = united(oneSide, right);
+    return joinsSides(mechanism, all, left, right) ? all : oneSide;
 }
 
 Result<Selection> selectionOf(const project::Project& project,
@@ -292,16 +276,7 @@ Result<Selection> selectionOf(const project::Project& project,
     if (!problems.empty()) {
         return problems;
     }
-    const Selection more = selectionOf(project, mechanism, elements);
-    for (const auto kind : {ElementKind::Body, ElementKind::Joint, ElementKind::Wheel}) {
-        const auto& list = kind == ElementKind::Body    ? more.bodies
-                           : kind == ElementKind::Joint ? more.joints
-                                                        : more.wheels;
-        for (const int index : list) {
-            add(selection, kind, index);
-        }
-    }
-    return selection;
+    return united(selection, selectionOf(project, mechanism, elements));
 }
 
 std::vector<ElementShare> shareByElement(const Report& report) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <sstream>
 
 #include <fmt/format.h>
 
+#include "simcore/base/groups.h"
 #include "simcore/mechanism/mass_properties.h"
 #include "simcore/project/element_names.h"
 #include "simcore/project/expression.h"
@@ -136,31 +136,6 @@ struct FileJoint {
     mechanism::Joint joint;
     bool locked = false;  ///< by the file, not for want of a controller that steers
     bool welded = false;
-};
-
-/// Disjoint sets of part indices.
-class Merger {
-  public:
-    explicit Merger(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
-
-    int root(int i) {
-        while (parent_[static_cast<std::size_t>(i)] != i) {
-            i = parent_[static_cast<std::size_t>(i)];
-        }
-        return i;
-    }
-
-    /// The lower index stays the root, so that the first part of the file names the body.
-    void merge(int a, int b) {
-        const int ra = root(a);
-        const int rb = root(b);
-        parent_[static_cast<std::size_t>(std::max(ra, rb))] = std::min(ra, rb);
-    }
-
-  private:
-    std::vector<int> parent_;
 };
 
 void addMass(mechanism::Body& body, const MassProperties& more) {
@@ -511,15 +486,15 @@ void Resolver::weldSteering() {
 }
 
 void Resolver::mergeParts() {
-    Merger merger(parts_.size());
+    Groups merged(parts_.size());
     for (const FileJoint& one : fileJoints_) {
         if (one.welded && one.joint.first >= 0 && one.joint.second >= 0) {
-            merger.merge(one.joint.first, one.joint.second);
+            merged.join(one.joint.first, one.joint.second);
         }
     }
     bodyOfPart_.assign(parts_.size(), -1);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const auto root = static_cast<std::size_t>(merger.root(static_cast<int>(i)));
+        const auto root = static_cast<std::size_t>(merged.of(static_cast<int>(i)));
         Part& part = parts_[i];
         if (root == i) {
             bodyOfPart_[i] = static_cast<int>(mechanism_.bodies.size());
@@ -649,15 +624,15 @@ void Resolver::readSteering(const Wheel& wheel, const std::string& element, Side
 
 /// Whether all ways from the chassis to the axle lead through the steering joint.
 bool Resolver::carriesWheel(int steering, int axle) const {
-    Merger merger(parts_.size());
+    Groups merged(parts_.size());
     for (int i = 0; i < static_cast<int>(fileJoints_.size()); ++i) {
         const mechanism::Joint& joint = fileJoints_[static_cast<std::size_t>(i)].joint;
         if (i != steering && joint.first >= 0 && joint.second >= 0) {
-            merger.merge(joint.first, joint.second);
+            merged.join(joint.first, joint.second);
         }
     }
     const mechanism::Joint& pin = fileJoints_[static_cast<std::size_t>(axle)].joint;
-    return pin.first < 0 || merger.root(pin.first) != merger.root(0);
+    return pin.first < 0 || merged.of(pin.first) != merged.of(0);
 }
 
 /// Inertias that nobody gave, then what the payloads add: they must not be taken for the body's
@@ -755,19 +730,19 @@ void Resolver::checkConnected() {
     if (mechanism_.wheels.empty()) {
         value_.warning("rover " + rover_.name, "it has no wheels.", "Add wheels to drive it.");
     }
-    Merger merger(mechanism_.bodies.size());
+    Groups merged(mechanism_.bodies.size());
     for (const mechanism::Joint& joint : mechanism_.joints) {
-        merger.merge(joint.first, joint.second);
+        merged.join(joint.first, joint.second);
     }
     int world = -1;  // all fixed bodies are connected through it
     for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
         if (mechanism_.bodies[i].fixed) {
             world = world < 0 ? static_cast<int>(i) : world;
-            merger.merge(world, static_cast<int>(i));
+            merged.join(world, static_cast<int>(i));
         }
     }
     for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
-        if (merger.root(static_cast<int>(i)) != merger.root(mechanism_.chassis)) {
+        if (merged.of(static_cast<int>(i)) != merged.of(mechanism_.chassis)) {
             value_.critical("body " + mechanism_.bodies[i].name,
                             "no joint connects it to the chassis.", "Join it, or remove it.");
         }

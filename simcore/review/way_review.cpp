@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -64,11 +65,17 @@ Climb climb(const run::ResolvedRun& run, const mechanism::Mechanism& rover,
     return climb;
 }
 
-Finding tooLittleFriction(const run::ResolvedRun& run, const Climb& strong) {
+Finding findingOf(const run::ResolvedRun& run, std::string kind, std::string remedy) {
     Finding finding;
-    finding.kind = "friction";
+    finding.kind = std::move(kind);
     finding.element = "scenario " + run.scenario;
-    finding.remedy = "Lower the obstacle, change the suspension, or raise the friction.";
+    finding.remedy = std::move(remedy);
+    return finding;
+}
+
+Finding tooLittleFriction(const run::ResolvedRun& run, const Climb& strong) {
+    Finding finding = findingOf(
+        run, "friction", "Lower the obstacle, change the suspension, or raise the friction.");
     const auto& samples = strong.traverse.samples;
     if (samples.empty()) {
         finding.reason = "the rover finds no way to stand at its start.";
@@ -93,10 +100,8 @@ Finding tooLittleFriction(const run::ResolvedRun& run, const Climb& strong) {
 
 /// The wheel whose motor is asked for most beyond its limit where the motors do not suffice.
 Finding tooLittleTorque(const run::ResolvedRun& run, const Climb& strong) {
-    Finding finding;
-    finding.kind = "torque";
-    finding.element = "scenario " + run.scenario;
-    finding.remedy = "Take stronger motors, smaller wheels or a lower obstacle.";
+    Finding finding =
+        findingOf(run, "torque", "Take stronger motors, smaller wheels or a lower obstacle.");
     double most = 0.0, at = 0.0;
     std::string wheel;
     for (const TraverseSample& sample : strong.traverse.samples) {

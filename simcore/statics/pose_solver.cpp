@@ -55,8 +55,9 @@ constexpr double kAlike = 2e-5;
 constexpr double kSameFace = 0.999;  ///< cosine between normals of one face, or on one edge
 /// Contacts of one wheel whose normals are this alike are one foothold (cosine of 20 deg).
 constexpr double kOnePlace = 0.94;
-/// Where the ground turns by less, it counts as one face [rad]: as far as footholds are told apart.
-constexpr double kEdge = 20.0 * std::numbers::pi / 180.0;
+/// Where the ground turns by less, it counts as one face (cosine): as far as footholds are told
+/// apart.
+const double kEdge = std::cos(20.0 * std::numbers::pi / 180.0);
 
 double lowestOf(const terrain::Terrain& terrain) {
     double lowest = std::numeric_limits<double>::infinity();
@@ -566,7 +567,7 @@ void PoseSolver::describe(StandingPose& result) const {
         if (contact.depth < -kTouching || contact.slice == contact::kSide) {
             continue;
         }
-        const bool onEdge = contact.turn > kEdge;
+        const bool onEdge = contact.turnCosine < kEdge;
         const auto same = std::find_if(
             result.footholds.begin(), result.footholds.end(), [&](const Foothold& there) {
                 return there.contact.wheel == contact.wheel &&

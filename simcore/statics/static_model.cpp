@@ -28,6 +28,7 @@ StaticModel::StaticModel(const mechanism::Mechanism& mechanism, Model joints)
       tree_(mechanism_, joints),
       motion_(mechanism_, tree_),
       loops_(mechanism_, tree_, joints),
+      inertia_(tree_, motion_, loops_),
       twists_(tree_.bodies().size()),
       wrenches_(tree_.bodies().size()) {
     if (const Problems problems = dynamics::whyNoEngineCanRun(mechanism); !problems.empty()) {
@@ -102,18 +103,8 @@ Vec3 StaticModel::velocityOf(int body, const Vec3& point, const Eigen::VectorXd&
 
 Eigen::MatrixXd StaticModel::inertia() {
     motion_.weigh();
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(motions(), motions());
-    motion_.massMatrix([&](int i, int j, double mass) {
-        for (const RateTerm& a : loops_.terms(i)) {
-            for (const RateTerm& b : loops_.terms(j)) {
-                const double share = a.factor * mass * b.factor;
-                sum(a.index, b.index) += share;
-                if (i != j) {
-                    sum(b.index, a.index) += share;
-                }
-            }
-        }
-    });
+    dynamics::RowMajor sum(motions(), motions());
+    inertia_.assemble(sum);
     return sum;
 }
 
@@ -198,22 +189,21 @@ Eigen::VectorXd StaticModel::loads(double gravity) const {
         push(spring.first, -force, a);
     }
     // All that comes after a rate works on it.
-    Eigen::VectorXd work = Eigen::VectorXd::Zero(motions());
+    std::vector<double> forces(static_cast<std::size_t>(tree_.rateCount()));
     for (std::size_t k = wrenches_.size(); k-- > 0;) {
         const TreeBody& at = tree_.bodies()[k];
         for (const dynamics::TreeElement& element : at.elements) {
             for (int rate = element.rate; rate < element.rate + element.rateCount(); ++rate) {
-                const double force =
-                    motion_.screws()[static_cast<std::size_t>(rate)].dot(wrenches_[k]);
-                for (const RateTerm& term : loops_.terms(rate)) {
-                    work[term.index] += term.factor * force;
-                }
+                const auto at_ = static_cast<std::size_t>(rate);
+                forces[at_] = motion_.screws()[at_].dot(wrenches_[k]);
             }
         }
         if (at.parent >= 0) {
             wrenches_[static_cast<std::size_t>(at.parent)] += wrenches_[k];
         }
     }
+    Eigen::VectorXd work;
+    inertia_.project(forces, 1.0, work);
     return work;
 }
 

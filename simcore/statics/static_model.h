@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "simcore/dynamics/loop_closures.h"
+#include "simcore/dynamics/reduced_inertia.h"
 #include "simcore/dynamics/spanning_tree.h"
 #include "simcore/mechanism/mechanism.h"
 
@@ -141,6 +142,7 @@ class StaticModel {
     dynamics::SpanningTree tree_;
     dynamics::TreeMotion motion_;
     dynamics::LoopClosures loops_;
+    dynamics::ReducedInertia inertia_;
     std::vector<Eigen::Matrix<double, 6, Eigen::Dynamic>> twists_;  ///< of the tree's bodies
     mutable std::vector<dynamics::Vec6> wrenches_;                  ///< on them, a workspace
 };

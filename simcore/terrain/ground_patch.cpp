@@ -180,14 +180,13 @@ void GroundPatch::slice(std::size_t plane, double offset, double radius, double 
         }
         const int alone = corners[passage.alone];
         const double aloneAbove = distances[alone] - offset;
-        const Eigen::Vector2d a = cutEdge(alone, aloneAbove, corners[passage.begins]);
-        const Eigen::Vector2d b = cutEdge(alone, aloneAbove, corners[passage.ends]);
-        const Eigen::Vector2d along = b - a;
+        SliceSegment segment{cutEdge(alone, aloneAbove, corners[passage.begins]),
+                             cutEdge(alone, aloneAbove, corners[passage.ends]), piece.normal};
+        const Eigen::Vector2d along = segment.b - segment.a;
         const double length2 = along.squaredNorm();
-        const double nearest = length2 > 0.0 ? -a.dot(along) / length2 : 0.0;
-        const double share = std::min(std::max(nearest, 0.0), 1.0);
-        if ((a + share * along).squaredNorm() <= radius2) {
-            out.push_back({a, b, piece.normal, nearest});
+        segment.nearest = length2 > 0.0 ? -segment.a.dot(along) / length2 : 0.0;
+        if (segment.nearestPoint().squaredNorm() <= radius2) {
+            out.push_back(segment);
         }
     }
 }

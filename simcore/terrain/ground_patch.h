@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -19,6 +20,9 @@ struct SliceSegment {
     /// Point of the line a-b that is nearest to the origin, as a share of the way from a to b. 0 of
     /// a segment without length.
     double nearest = 0.0;
+
+    /// Of the segment itself [m].
+    Eigen::Vector2d nearestPoint() const { return a + std::clamp(nearest, 0.0, 1.0) * (b - a); }
 };
 
 /// A plane through a wheel: origin at the wheel slice's centre, u forward, v up, in the world.

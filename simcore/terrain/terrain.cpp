@@ -83,20 +83,12 @@ struct SeenVertex {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  ///< along u and v [m]
 };
 
-/// Whether no piece that a plane cuts from these vertices' hull is within `radius` [m]: the line
-/// across the way to their middle has them all behind it.
-bool areBeyond(const std::array<SeenVertex, 4>& seen, double radius) {
-    const Eigen::Vector2d sum = (seen[0].place + seen[1].place) + (seen[2].place + seen[3].place);
-    const double least = std::min(std::min(seen[0].place.dot(sum), seen[1].place.dot(sum)),
-                                  std::min(seen[2].place.dot(sum), seen[3].place.dot(sum)));
-    return least > 0.0 && least * least > radius * radius * sum.squaredNorm();
-}
-
-/// Bound of the distance from the origin to a triangle, by the line across the way to its middle
-/// that its corners are behind [m].
-double leastDistance(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-    const Eigen::Vector2d sum = a + b + c;
-    const double least = std::min({a.dot(sum), b.dot(sum), c.dot(sum)});
+/// Bound of the distance from the planes' origins to any piece that a plane cuts from these
+/// vertices' hull, by the line across the way to their middle that has them all behind it [m].
+template <class... Seen>
+double leastDistance(const Seen&... seen) {
+    const Eigen::Vector2d sum = (seen.place + ...);
+    const double least = std::min({seen.place.dot(sum)...});
     return least > 0.0 ? least / sum.norm() : 0.0;
 }
 
@@ -582,7 +574,7 @@ void Terrain::findNear(const SlicePlane& plane, std::span<const double> offsets,
         if (low - most > offsets.back() || high + most < offsets.front()) {
             return;
         }
-        const double beyond = leastDistance(seen[a].place, seen[b].place, seen[c].place) - radius;
+        const double beyond = leastDistance(seen[a], seen[b], seen[c]) - radius;
         for (std::size_t k = 0; k < offsets.size(); ++k) {
             const double reach = std::max({beyond, low - offsets[k], offsets[k] - high});
             if (reach <= most) {
@@ -596,7 +588,7 @@ void Terrain::findNear(const SlicePlane& plane, std::span<const double> offsets,
             for (std::size_t k = 0; k < 4; ++k) {
                 see(k, quad.corners[k]);
             }
-            if (!areBeyond(seen, within)) {
+            if (leastDistance(seen[0], seen[1], seen[2], seen[3]) <= within) {
                 take(quad.triangles[0], 0, 1, 2);
                 take(quad.triangles[1], 0, 2, 3);
             }

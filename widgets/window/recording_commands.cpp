@@ -64,6 +64,15 @@ bool RecordingCommands::openFile(const QString& file) {
     if (!files_->mayDiscard()) {
         return false;
     }
+    return take(file, [&](const std::shared_ptr<RecordedRun>& run) {
+        emit opened(run);
+        files_->remember(file);
+    });
+}
+
+/// Reads a recording and hands it on; tells the user what is wrong with it.
+bool RecordingCommands::take(const QString& file,
+                             const std::function<void(std::shared_ptr<RecordedRun>)>& use) {
     const Loaded loaded = read(file);
     if (!loaded) {
         files_->complain(tr("The recording cannot be opened"), loaded.problems());
@@ -72,8 +81,7 @@ bool RecordingCommands::openFile(const QString& file) {
     if (*loaded == nullptr) {
         return false;  // stopped by the user
     }
-    emit opened(*loaded);
-    files_->remember(file);
+    use(*loaded);
     QSettings().setValue(kFolderKey, QFileInfo(file).absolutePath());
     if (!loaded.problems().empty()) {
         files_->complain(tr("The recording is not whole"), loaded.problems());
@@ -98,20 +106,7 @@ void RecordingCommands::add() {
 }
 
 bool RecordingCommands::addFile(const QString& file) {
-    const Loaded loaded = read(file);
-    if (!loaded) {
-        files_->complain(tr("The recording cannot be opened"), loaded.problems());
-        return false;
-    }
-    if (*loaded == nullptr) {
-        return false;  // stopped by the user
-    }
-    emit added(*loaded);
-    QSettings().setValue(kFolderKey, QFileInfo(file).absolutePath());
-    if (!loaded.problems().empty()) {
-        files_->complain(tr("The recording is not whole"), loaded.problems());
-    }
-    return true;
+    return take(file, [this](const std::shared_ptr<RecordedRun>& run) { emit added(run); });
 }
 
 void RecordingCommands::save(const RunSession& run) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <memory>
 
 #include "simcore/base/result.h"
@@ -52,6 +53,7 @@ class RecordingCommands : public QObject {
   private:
     using Loaded = simcore::Result<std::shared_ptr<RecordedRun>>;
     Loaded read(const QString& file);
+    bool take(const QString& file, const std::function<void(std::shared_ptr<RecordedRun>)>& use);
     bool saveCopy(const simcore::Result<simcore::io::RunCopy>& copy, const QString& file);
 
     RunSession* session_;

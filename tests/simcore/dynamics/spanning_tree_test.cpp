@@ -99,10 +99,13 @@ TEST_P(TreeTest, MassMatrixIsTheKineticEnergy) {
         motion.place(state);
         motion.weigh();
         double byMatrix = 0.0;
-        motion.massMatrix([&](int i, int j, double entry) {
-            const double product = state.rates[static_cast<std::size_t>(i)] * entry *
-                                   state.rates[static_cast<std::size_t>(j)];
-            byMatrix += (i == j ? 0.5 : 1.0) * product;
+        motion.visitMomenta([&](std::size_t, int j, const Vec6& momentum) {
+            for (int i = j; i >= 0; i = tree.rateBefore(i)) {
+                const double entry = motion.screws()[static_cast<std::size_t>(i)].dot(momentum);
+                const double product = state.rates[static_cast<std::size_t>(i)] * entry *
+                                       state.rates[static_cast<std::size_t>(j)];
+                byMatrix += (i == j ? 0.5 : 1.0) * product;
+            }
         });
         std::vector<Vec6> twists(tree.bodies().size());
         motion.twists(state.rates, twists);
