@@ -144,6 +144,8 @@ class ImpulseSolver {
     bool newton(ImpulseProblem& problem, const PatternedLu& lu, Way way, Eigen::VectorXd& u,
                 ImpulseCounters& counters);
     void startAgain(ImpulseProblem& problem, Eigen::VectorXd& u) const;
+    bool oneWay(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
+                ImpulseCounters& counters);
     bool withinLimits(ImpulseProblem& problem, const PatternedLu& lu, Eigen::VectorXd& u,
                       ImpulseCounters& counters);
     bool limitsHold(ImpulseProblem& problem, const Eigen::VectorXd& u);

@@ -25,6 +25,9 @@ constexpr double kMuchBetter = 0.5;
 constexpr double kSingular = 1e-7;
 /// Gaps that are left [rad, or wheelbases].
 constexpr double kClosed = 1e-11;
+/// From gaps below this one correction leaves only their square, and turns no term by more than
+/// about as much: terms are then not worked out again.
+constexpr double kNearlyClosed = 1e-7;
 /// Gap of a redundant row that inexact drawing does not explain, and the least pivot that such a
 /// row is then asked for: off a singular pose by an angle, gaps are of its square, pivots of
 /// itself.
@@ -159,14 +162,17 @@ void LoopClosures::makeClusters(mechanism::Model model) {
 void LoopClosures::evaluateClosure(const Closure& closure, const TreeMotion& motion,
                                    std::vector<Vec6>& wrenches, std::vector<double>& gaps) const {
     const mechanism::Joint& joint = mechanism_.joints[static_cast<std::size_t>(closure.joint)];
-    const Pose& first = motion.poses()[static_cast<std::size_t>(joint.first)];
-    const Pose& second = motion.poses()[static_cast<std::size_t>(joint.second)];
-    const Vec3 point = second * joint.point;
-    const Vec3 gap = point - first * joint.point;
+    const std::vector<Pose>& poses = motion.poses();
+    const Mat3& first = motion.turn(joint.first);
+    const Mat3& second = motion.turn(joint.second);
+    const Vec3 point =
+        second * joint.point + poses[static_cast<std::size_t>(joint.second)].position;
+    const Vec3 gap =
+        point - first * joint.point - poses[static_cast<std::size_t>(joint.first)].position;
     wrenches.clear();
     gaps.clear();
     for (const Vec3& direction : closure.heldSlides) {
-        const Vec3 n = first.rotation * direction / length_;
+        const Vec3 n = first * direction / length_;
         wrenches.push_back(forceAt(n, point - motion.origin(closure.body)));
         gaps.push_back(n.dot(gap));
     }
@@ -176,23 +182,25 @@ void LoopClosures::evaluateClosure(const Closure& closure, const TreeMotion& mot
     };
     switch (closure.turns.size()) {
         case 0: {
-            const Vec3 turn = turnVector(first.rotation.conjugate() * second.rotation);
+            const Vec3 turn =
+                turnVector(poses[static_cast<std::size_t>(joint.first)].rotation.conjugate() *
+                           poses[static_cast<std::size_t>(joint.second)].rotation);
             for (int axis = 0; axis < 3; ++axis) {
-                addTurn(first.rotation * Vec3::Unit(axis), turn[axis]);
+                addTurn(first.col(axis), turn[axis]);
             }
             break;
         }
         case 1: {
-            const Vec3 carried = second.rotation * closure.turns[0];
+            const Vec3 carried = second * closure.turns[0];
             for (const Vec3& across : closure.heldTurns) {
-                const Vec3 fixed = first.rotation * across;
+                const Vec3 fixed = first * across;
                 addTurn(carried.cross(fixed), fixed.dot(carried));
             }
             break;
         }
         case 2: {
-            const Vec3 carried = second.rotation * closure.turns[1];
-            const Vec3 fixed = first.rotation * closure.turns[0];
+            const Vec3 carried = second * closure.turns[1];
+            const Vec3 fixed = first * closure.turns[0];
             addTurn(carried.cross(fixed),
                     fixed.dot(carried) - closure.turns[0].dot(closure.turns[1]));
             break;
@@ -231,8 +239,7 @@ void LoopClosures::evaluate(Cluster& cluster, const TreeMotion& motion) const {
                 geared.angles[side] +
                 std::remainder(angle - geared.angles[side], 2.0 * std::numbers::pi);
             cluster.gaps[geared.row] += factors[side] * geared.anglesNow[side];
-            const Vec3 axis =
-                motion.poses()[static_cast<std::size_t>(arm.first)].rotation * joint.axis;
+            const Vec3 axis = motion.turn(arm.first) * joint.axis;
             for (std::size_t i = 0; i < arm.rates.size(); ++i) {
                 const Vec6& screw = motion.screws()[static_cast<std::size_t>(arm.rates[i].rate)];
                 cluster.jacobian(geared.row, arm.columns[i]) +=
@@ -381,9 +388,10 @@ bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
     for (int correction = 0; !closed && correction <= kMaxCorrections; ++correction) {
         if (correction > 0) {
             advance(tree_, state, change_);
-            motion.place(state);
+            motion.placeChanged(state, change_);
         }
         closed = true;
+        bool nearlyClosed = true;
         gap_ = 0.0;
         pivotRatio_ = 1.0;
         std::fill(change_.begin(), change_.end(), 0.0);
@@ -391,9 +399,9 @@ bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
             Cluster& cluster = clusters_[c];
             evaluate(cluster, motion);
             double ratio = eliminate(cluster);
-            const auto usedRowsClose = [&cluster] {
+            const auto usedRowsClose = [&cluster](double gap = kClosed) {
                 return std::all_of(cluster.used.begin(), cluster.used.end(),
-                                   [&](int row) { return std::abs(cluster.gaps[row]) < kClosed; });
+                                   [&](int row) { return std::abs(cluster.gaps[row]) < gap; });
             };
             const std::size_t rank = cluster.used.size();
             if (ratio < kPoorChoice && ratio < kMuchBetter * cluster.triedAt) {
@@ -405,7 +413,7 @@ bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
             } else if (ratio > kPoorChoice) {
                 cluster.triedAt = 1.0;
             }
-            if (usedRowsClose() && redundantRowOpens(cluster) &&
+            if (usedRowsClose(kNearlyClosed) && redundantRowOpens(cluster) &&
                 choose(cluster, {rank + 1}, kNewRank)) {
                 ratio = eliminate(cluster);
                 chosen = true;
@@ -426,9 +434,15 @@ bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
             if (!usedRowsClose()) {
                 closed = false;
                 broken_ = c;
+                nearlyClosed = nearlyClosed && ratio > kPoorChoice && usedRowsClose(kNearlyClosed);
             }
             gap_ =
                 std::max(gap_, cluster.gaps.size() > 0 ? cluster.gaps.cwiseAbs().maxCoeff() : 0.0);
+        }
+        if (!closed && nearlyClosed) {
+            advance(tree_, state, change_);
+            motion.placeChanged(state, change_);
+            closed = true;
         }
     }
     for (Cluster& cluster : clusters_) {
@@ -442,6 +456,11 @@ bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
     }
     renewTerms();
     return closed;
+}
+
+void LoopClosures::resume(const TreeState& state, TreeMotion& motion) {
+    motion.place(state);
+    renewTerms();
 }
 
 double LoopClosures::turnOf(std::span<const double> rates, std::vector<double>& change) const {

@@ -46,6 +46,8 @@ class LoopClosures {
     /// Moves the dependent coordinates until all loops are closed, places the motion there and
     /// renews terms(). False when some loop stays open: brokenLoop() then tells which.
     bool close(TreeState& state, TreeMotion& motion);
+    /// Places the motion where loops had been closed before restore().
+    void resume(const TreeState& state, TreeMotion& motion);
 
     /// By how much the motion of loops turns from the pose where these rates were right to the pose
     /// closed last: change of a rate over the largest of its loop, where that is not next to rest.
@@ -101,7 +103,7 @@ class LoopClosures {
     /// Counts choices: patterns of matrices made for an older one are no longer right.
     int choice() const { return choice_; }
 
-    /// Largest gap of any row, redundant ones included [rad, or wheelbases].
+    /// Largest gap of any row, redundant ones included, that close() saw last [rad, or wheelbases].
     double gap() const { return gap_; }
 
     /// Wrenches in the loops that give the tree these forces, least in norm where several do; adds

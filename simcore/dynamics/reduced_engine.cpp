@@ -353,7 +353,10 @@ void ReducedEngine::cover(const StepInput& input, double dt, int divisions) {
         stepBack();
         ++counters_.dividedSteps;
         cover(input, 0.5 * dt, divisions + 1);
-        cover(input, 0.5 * dt, divisions + 1);
+        // From an open loop nothing goes on: what came of it would be no numbers.
+        if (trouble_.empty()) {
+            cover(input, 0.5 * dt, divisions + 1);
+        }
         return;
     }
     commit();
@@ -581,7 +584,7 @@ void ReducedEngine::restoreState(std::span<const double> numbers) {
     std::span<const double> rest = numbers.subspan(own + 1 + factors.size());
     loops_.restore(rest);
     memory_.restore(rest);
-    loops_.close(state, motion_);
+    loops_.resume(state, motion_);
     energy_.arrive(state.rates);
     SolvedTerms& solved = now_.solved;
     solved.terms = loops_.allTerms();

@@ -167,9 +167,11 @@ void advance(const SpanningTree& tree, TreeState& state, std::span<const double>
         for (const TreeElement& element : at.elements) {
             const auto rate = static_cast<std::size_t>(element.rate);
             if (element.kind == TreeElement::Kind::Ball) {
-                Eigen::Quaterniond& ball = state.balls[static_cast<std::size_t>(element.ball)];
-                ball = (turned({change[rate], change[rate + 1], change[rate + 2]}) * ball)
-                           .normalized();
+                const Vec3 turn(change[rate], change[rate + 1], change[rate + 2]);
+                if (!turn.isZero(0.0)) {
+                    Eigen::Quaterniond& ball = state.balls[static_cast<std::size_t>(element.ball)];
+                    ball = (turned(turn) * ball).normalized();
+                }
             } else {
                 state.coordinates[rate] += change[rate];
             }
@@ -183,6 +185,7 @@ TreeMotion::TreeMotion(const mechanism::Mechanism& mechanism, const SpanningTree
       poses_(mechanism.bodies.size()),
       turns_(tree.bodies().size(), Mat3::Identity()),
       origins_(tree.bodies().size(), Vec3::Zero()),
+      moved_(tree.bodies().size(), false),
       screws_(static_cast<std::size_t>(tree.rateCount()), Vec6::Zero()),
       inertias_(tree.bodies().size()),
       composites_(tree.bodies().size()),
@@ -196,61 +199,79 @@ TreeMotion::TreeMotion(const mechanism::Mechanism& mechanism, const SpanningTree
 
 void TreeMotion::place(const TreeState& state) {
     for (std::size_t k = 0; k < tree_.bodies().size(); ++k) {
-        const TreeBody& at = tree_.bodies()[k];
-        Pose pose;
-        // The pose's rotation: cheaper where many points are turned by it.
-        Mat3 turn = Mat3::Identity();
-        if (at.parent >= 0) {
-            const auto parent = static_cast<std::size_t>(at.parent);
-            pose = poses_[static_cast<std::size_t>(tree_.bodies()[parent].body)];
-            turn = turns_[parent];
-        }
-        for (const TreeElement& element : at.elements) {
-            const auto rate = static_cast<std::size_t>(element.rate);
-            const Vec3 axis = turn * element.axis;
-            switch (element.kind) {
-                case TreeElement::Kind::Slide:
-                    screws_[rate] = slideAlong(axis);
-                    pose.position += state.coordinates[rate] * axis;
-                    break;
-                case TreeElement::Kind::Turn: {
-                    const Vec3 point = turn * element.point + pose.position;
-                    screws_[rate] = turnAt(axis, point);
-                    pose.rotation = pose.rotation * Eigen::Quaterniond(Eigen::AngleAxisd(
-                                                        state.coordinates[rate], element.axis));
-                    turn = pose.rotation.toRotationMatrix();
-                    pose.position = point - turn * element.point;
-                    break;
-                }
-                case TreeElement::Kind::Ball: {
-                    const Vec3 point = turn * element.point + pose.position;
-                    for (int k3 = 0; k3 < 3; ++k3) {
-                        screws_[rate + static_cast<std::size_t>(k3)] = turnAt(turn.col(k3), point);
-                    }
-                    pose.rotation =
-                        pose.rotation * state.balls[static_cast<std::size_t>(element.ball)];
-                    turn = pose.rotation.toRotationMatrix();
-                    pose.position = point - turn * element.point;
-                    break;
-                }
-            }
-        }
-        poses_[static_cast<std::size_t>(at.body)] = pose;
-        turns_[k] = turn;
+        placeBody(k, state);
     }
+}
+
+void TreeMotion::placeChanged(const TreeState& state, std::span<const double> change) {
     for (std::size_t k = 0; k < tree_.bodies().size(); ++k) {
         const TreeBody& at = tree_.bodies()[k];
-        const auto body = static_cast<std::size_t>(at.body);
-        if (at.parent >= 0) {
-            origins_[k] = origins_[static_cast<std::size_t>(at.parent)];
-        } else if (at.joint < 0) {
-            origins_[k] = turns_[k] * mechanism_.bodies[body].com + poses_[body].position;
-        }
+        bool moved = at.parent >= 0 && moved_[static_cast<std::size_t>(at.parent)];
         for (const TreeElement& element : at.elements) {
             for (int i = 0; i < element.rateCount(); ++i) {
-                Vec6& screw = screws_[static_cast<std::size_t>(element.rate + i)];
-                screw.tail<3>() -= origins_[k].cross(screw.head<3>());
+                moved = moved || change[static_cast<std::size_t>(element.rate + i)] != 0.0;
             }
+        }
+        moved_[k] = moved;
+        if (moved) {
+            placeBody(k, state);
+        }
+    }
+}
+
+/// All that it hangs from is in place.
+void TreeMotion::placeBody(std::size_t position, const TreeState& state) {
+    const TreeBody& at = tree_.bodies()[position];
+    Pose pose;
+    Mat3 turn = Mat3::Identity();
+    if (at.parent >= 0) {
+        const auto parent = static_cast<std::size_t>(at.parent);
+        pose = poses_[static_cast<std::size_t>(tree_.bodies()[parent].body)];
+        turn = turns_[parent];
+    }
+    for (const TreeElement& element : at.elements) {
+        const auto rate = static_cast<std::size_t>(element.rate);
+        switch (element.kind) {
+            case TreeElement::Kind::Slide: {
+                const Vec3 axis = turn * element.axis;
+                screws_[rate] = slideAlong(axis);
+                pose.position += state.coordinates[rate] * axis;
+                break;
+            }
+            case TreeElement::Kind::Turn: {
+                const Vec3 point = turn * element.point + pose.position;
+                screws_[rate] = turnAt(turn * element.axis, point);
+                pose.rotation = pose.rotation * Eigen::Quaterniond(Eigen::AngleAxisd(
+                                                    state.coordinates[rate], element.axis));
+                turn = pose.rotation.toRotationMatrix();
+                pose.position = point - turn * element.point;
+                break;
+            }
+            case TreeElement::Kind::Ball: {
+                const Vec3 point = turn * element.point + pose.position;
+                for (int i = 0; i < 3; ++i) {
+                    screws_[rate + static_cast<std::size_t>(i)] = turnAt(turn.col(i), point);
+                }
+                pose.rotation = pose.rotation * state.balls[static_cast<std::size_t>(element.ball)];
+                turn = pose.rotation.toRotationMatrix();
+                pose.position = point - turn * element.point;
+                break;
+            }
+        }
+    }
+    const auto body = static_cast<std::size_t>(at.body);
+    poses_[body] = pose;
+    turns_[position] = turn;
+    Vec3& origin = origins_[position];
+    if (at.parent >= 0) {
+        origin = origins_[static_cast<std::size_t>(at.parent)];
+    } else if (at.joint < 0) {
+        origin = turn * mechanism_.bodies[body].com + pose.position;
+    }
+    for (const TreeElement& element : at.elements) {
+        for (int i = 0; i < element.rateCount(); ++i) {
+            Vec6& screw = screws_[static_cast<std::size_t>(element.rate + i)];
+            screw.tail<3>() -= origin.cross(screw.head<3>());
         }
     }
 }

@@ -103,6 +103,8 @@ class TreeMotion {
 
     /// Poses and screws. O becomes the root's centre of mass, or stays the world's origin.
     void place(const TreeState& state);
+    /// The same after advance() by that change, where most of it is zero: looks only at what moved.
+    void placeChanged(const TreeState& state, std::span<const double> change);
     /// Inertias at the pose placed last.
     void weigh();
 
@@ -115,6 +117,12 @@ class TreeMotion {
 
     /// X_WB, mechanism order.
     const std::vector<Pose>& poses() const { return poses_; }
+
+    /// Rotation of one of them as a matrix: cheaper where many points are turned by it.
+    const Mat3& turn(int body) const {
+        const int at = tree_.positionOf(body);
+        return at < 0 ? drawnTurn_ : turns_[static_cast<std::size_t>(at)];
+    }
 
     /// Motion of all that comes after, per unit of each rate.
     const std::vector<Vec6>& screws() const { return screws_; }
@@ -160,13 +168,17 @@ class TreeMotion {
     }
 
   private:
+    void placeBody(std::size_t position, const TreeState& state);
+
     const mechanism::Mechanism& mechanism_;
     const SpanningTree& tree_;
     std::vector<Mat3> inertiasAtCom_;  ///< rover axes, rotors included
     const Vec3 drawnOrigin_ = Vec3::Zero();
+    const Mat3 drawnTurn_ = Mat3::Identity();
     std::vector<Pose> poses_;
     std::vector<Mat3> turns_;    ///< rotations of the tree's bodies
     std::vector<Vec3> origins_;  ///< of the tree's bodies
+    std::vector<bool> moved_;    ///< of the tree's bodies, by the last change
     std::vector<Vec6> screws_;
     std::vector<SpatialInertia> inertias_;
     std::vector<SpatialInertia> composites_;

@@ -308,9 +308,10 @@ std::string Simulation::Impl::blownUpBody(double fastest) const {
     for (std::size_t i = 0; i < run.mechanism.bodies.size(); ++i) {
         const Pose& pose = engine->poses()[i];
         const dynamics::BodyVelocity& velocity = engine->velocities()[i];
-        const bool finite = pose.position.allFinite() && pose.rotation.coeffs().allFinite() &&
-                            velocity.linear.allFinite() && velocity.angular.allFinite();
-        if (!finite || velocity.linear.norm() > fastest) {
+        // No number in them, no number in their sum.
+        const bool finite = std::isfinite(pose.position.sum() + pose.rotation.coeffs().sum() +
+                                          velocity.linear.sum() + velocity.angular.sum());
+        if (!finite || velocity.linear.squaredNorm() > fastest * fastest) {
             return run.mechanism.bodies[i].name;
         }
     }
