@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -18,9 +19,21 @@ class StateHash {
         value_ ^= value_ >> 32;
     }
 
+    /// In lanes of their own, which do not wait for each other: of a state there is one a step.
     void add(std::span<const double> numbers) {
-        for (const double number : numbers) {
-            add(std::bit_cast<std::uint64_t>(number));
+        constexpr std::size_t kLanes = 4;
+        std::array<StateHash, kLanes> lanes;
+        std::size_t i = 0;
+        for (; i + kLanes <= numbers.size(); i += kLanes) {
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                lanes[lane].add(std::bit_cast<std::uint64_t>(numbers[i + lane]));
+            }
+        }
+        for (; i < numbers.size(); ++i) {
+            add(std::bit_cast<std::uint64_t>(numbers[i]));
+        }
+        for (const StateHash& lane : lanes) {
+            add(lane.value_);
         }
     }
 

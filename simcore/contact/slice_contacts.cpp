@@ -123,12 +123,12 @@ void SliceContactFinder::addCorner(std::size_t index, bool atStart) {
         for (const bool otherAtStart : {true, false}) {
             const Eigen::Vector2d& end = otherAtStart ? other.a : other.b;
             if (&other == &own || std::abs(end.x() - point.x()) > kSamePoint ||
-                (end - point).norm() > kSamePoint) {
+                (end - point).squaredNorm() > kSamePoint * kSamePoint) {
                 continue;
             }
-            const Eigen::Vector2d away =
-                (otherAtStart ? other.b - other.a : other.a - other.b).normalized();
-            if (away.dot(-end) > kStraight * end.norm()) {
+            const Eigen::Vector2d away = otherAtStart ? other.b - other.a : other.a - other.b;
+            const double nearer = away.dot(-end);
+            if (nearer > 0.0 && nearer > kStraight * end.norm() * away.norm()) {
                 return;  // it comes nearer: no corner contact
             }
             if (neighbour == nullptr || (!runsOn && otherAtStart != atStart)) {
@@ -155,7 +155,7 @@ void SliceContactFinder::addCorner(std::size_t index, bool atStart) {
 
 void SliceContactFinder::add(const SliceContact& contact) {
     for (SliceContact& there : contacts_) {
-        if ((there.point - contact.point).norm() < kSamePoint) {
+        if ((there.point - contact.point).squaredNorm() < kSamePoint * kSamePoint) {
             if (contact.depth > there.depth) {
                 there = contact;
             }
