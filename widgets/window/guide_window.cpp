@@ -12,7 +12,6 @@
 #include <QScrollBar>
 #include <QShortcut>
 #include <QSplitter>
-#include <QStyle>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextFrame>
@@ -23,6 +22,7 @@
 #include <algorithm>
 
 #include "simcore/io/project_file.h"
+#include "widgets/window/icons.h"
 
 namespace widgets {
 namespace {
@@ -162,11 +162,10 @@ GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent) {
     search_->setAccessibleName(tr("Search the guide"));
     search_->setPlaceholderText(tr("Search the guide"));
     search_->setClearButtonEnabled(true);
-    const auto button = [this](const char* name, const QString& text, QStyle::StandardPixmap icon,
-                               const QKeySequence& key, void (GuideWindow::*slot)()) {
+    const auto button = [this](const char* name, const QString& text, const QKeySequence& key,
+                               void (GuideWindow::*slot)()) {
         auto* one = new QToolButton;
         one->setObjectName(name);
-        one->setIcon(style()->standardIcon(icon));
         one->setAccessibleName(text);
         one->setToolTip(text + " (" + key.toString(QKeySequence::NativeText) + ")");
         one->setAutoRaise(true);
@@ -174,12 +173,12 @@ GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent) {
         connect(new QShortcut(key, this), &QShortcut::activated, this, slot);
         return one;
     };
-    back_ = button("guideBack", tr("Back"), QStyle::SP_ArrowBack, QKeySequence("Alt+Left"),
-                   &GuideWindow::goBack);
-    forward_ = button("guideForward", tr("Forward"), QStyle::SP_ArrowForward,
-                      QKeySequence("Alt+Right"), &GuideWindow::goForward);
+    back_ = button("guideBack", tr("Back"), QKeySequence("Alt+Left"), &GuideWindow::goBack);
+    forward_ =
+        button("guideForward", tr("Forward"), QKeySequence("Alt+Right"), &GuideWindow::goForward);
+    drawIcons();
     auto* bar = new QHBoxLayout;
-    bar->setContentsMargins(6, 6, 6, 0);
+    bar->setContentsMargins(6, 6, 6, 6);
     bar->addWidget(back_);
     bar->addWidget(forward_);
     bar->addWidget(search_, 1);
@@ -363,8 +362,16 @@ bool GuideWindow::findNext(const QString& text) {
     return false;
 }
 
+void GuideWindow::drawIcons() {
+    back_->setIcon(lineIcon(Icon::Back, palette()));
+    forward_->setIcon(lineIcon(Icon::Forward, palette()));
+}
+
 void GuideWindow::changeEvent(QEvent* event) {
     QDialog::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && forward_ != nullptr) {
+        drawIcons();
+    }
     if ((event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) &&
         text_ != nullptr && !page_.isEmpty()) {
         const int value = text_->verticalScrollBar()->value();
