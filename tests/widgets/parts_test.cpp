@@ -394,7 +394,7 @@ TEST_F(PartsTest, ShapesAreBelowTheirBodyAndHavePropertiesOfTheirOwn) {
     type(width, "33");
     EXPECT_DOUBLE_EQ(project().rover.bodies[2].shapes[0].width.literal(), 0.033);
     EXPECT_EQ(undoText(), "Change Width");
-    EXPECT_TRUE(bogie->child(0)->text(1).startsWith("33 "));
+    EXPECT_TRUE(bogie->child(0)->text(1).startsWith(QString("33") + QChar(0x00D7)));
     // Another kind has other fields, and its label follows.
     auto* kind = panel->findChild<QComboBox*>("property:kind");
     ASSERT_NE(kind, nullptr);

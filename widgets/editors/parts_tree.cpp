@@ -179,7 +179,7 @@ QString PartsTree::shapeDetail(const simcore::project::Shape& shape) const {
     const auto number = [this](const Quantity& length) {
         return shown(length, "mm").remove(" mm");
     };
-    static const QString kTimes = QString(" ") + QChar(0x00D7) + ' ';
+    static const QString kTimes = QString(QChar(0x00D7));
     switch (shape.kind) {
         case ShapeKind::Box:
             return number(shape.size[0]) + kTimes + number(shape.size[1]) + kTimes +

@@ -577,8 +577,8 @@ class PropertyFormBuilder {
                            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i));
                        });
         }
-        auto* add = listButton(PropertyPanel::tr("Add"),
-                               PropertyPanel::tr("Add to %1").arg(inSentence(info.label)), field,
+        const QString meaning = PropertyPanel::tr("Add to %1").arg(inSentence(info.label));
+        auto* add = listButton(meaning, meaning, field,
                                [](std::vector<Part>& parts) { parts.push_back(Part{}); });
         add->setObjectName(QString("add:") + key);
     }

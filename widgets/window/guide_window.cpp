@@ -9,11 +9,13 @@
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLineEdit>
+#include <QResizeEvent>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QSplitter>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextCursor>
 #include <QTextFrame>
 #include <QTextTable>
 #include <QToolButton>
@@ -74,25 +76,50 @@ class GuideBrowser : public QTextBrowser {
         page_->setDefaultFont(font());
         page_->setMarkdown(text);
         dress(*page_);
+        fitPictures();
         setDocument(page_);
         delete old;
     }
 
-    QVariant loadResource(int type, const QUrl& name) override {
-        if (type != QTextDocument::ImageResource) {
-            return QTextBrowser::loadResource(type, name);
+  protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QTextBrowser::resizeEvent(event);
+        if (page_ != nullptr && event->size().width() != event->oldSize().width()) {
+            fitPictures();
         }
-        QImage image(folder_ + "/" + name.path());
-        const int width = std::max(200, viewport()->width() - kAside);
-        if (image.width() > width * devicePixelRatio()) {
-            image = image.scaledToWidth(static_cast<int>(width * devicePixelRatio()),
-                                        Qt::SmoothTransformation);
-            image.setDevicePixelRatio(devicePixelRatio());
-        }
-        return image;
     }
 
   private:
+    /// Scaled here: the page itself scales roughly, and takes pixels of a fine screen for points.
+    void fitPictures() {
+        const int room = std::max(200, viewport()->width() - kAside);
+        for (QTextBlock block = page_->begin(); block.isValid(); block = block.next()) {
+            for (auto it = block.begin(); !it.atEnd(); ++it) {
+                QTextImageFormat format = it.fragment().charFormat().toImageFormat();
+                if (!format.isValid()) {
+                    continue;
+                }
+                const QImage image(folder_ + "/" + format.name());
+                const int width = std::min(room, image.width());
+                if (image.isNull() || format.width() == width) {
+                    continue;
+                }
+                const int pixels =
+                    std::min(image.width(), static_cast<int>(width * devicePixelRatio()));
+                page_->addResource(QTextDocument::ImageResource, QUrl(format.name()),
+                                   image.scaledToWidth(pixels, Qt::SmoothTransformation));
+                format.setWidth(width);
+                format.setHeight(static_cast<double>(width) * image.height() / image.width());
+                QTextCursor cursor(page_);
+                cursor.setPosition(it.fragment().position());
+                cursor.setPosition(it.fragment().position() + it.fragment().length(),
+                                   QTextCursor::KeepAnchor);
+                cursor.setCharFormat(format);
+                break;  // the block's fragments are others now; pictures stand alone
+            }
+        }
+    }
+
     /// Tables with lines and room, headings and lines with some air.
     void dress(QTextDocument& page) const {
         const QColor line = palette().color(QPalette::Mid);

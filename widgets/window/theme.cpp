@@ -71,14 +71,18 @@ class StudioStyle : public QProxyStyle {
 
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* returned) const override {
-        switch (hint) {
-            case SH_DialogButtonBox_ButtonsHaveIcons:
-                return 0;  // only some of a dialog's buttons have one
-            case SH_ItemView_ShowDecorationSelected:
-                return 1;  // pictures lie on the same colour as the text beside them
-            default:
-                return QProxyStyle::styleHint(hint, option, widget, returned);
-        }
+        // Only some of a dialog's buttons have a picture.
+        return hint == SH_DialogButtonBox_ButtonsHaveIcons
+                   ? 0
+                   : QProxyStyle::styleHint(hint, option, widget, returned);
+    }
+
+    QRect subElementRect(SubElement element, const QStyleOption* option,
+                         const QWidget* widget) const override {
+        // Of the whole item: beside a picture it would tint the text's half only.
+        return element == SE_ItemViewItemFocusRect
+                   ? option->rect
+                   : QProxyStyle::subElementRect(element, option, widget);
     }
 
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
