@@ -85,9 +85,17 @@ void waitFor(int limit, Done done) {
     }
 }
 
+/// Only of a window on the screen: the tab of a panel that was hidden can be raised then.
+void showPanel(widgets::MainWindow& window, const Options& options) {
+    if (!options.panel.empty()) {
+        window.showPanel(QString::fromStdString(options.panel));
+    }
+}
+
 int takeScreenshot(widgets::MainWindow& window, const Options& options) {
     window.resize(sizeFrom(options.size));
     window.show();
+    showPanel(window, options);
     waitFor(600, [] { return false; });
     constexpr int kLongestStudy_ms = 60000;
     waitFor(kLongestStudy_ms, [&] { return !window.statics().isWorking(); });
@@ -136,9 +144,12 @@ int takeScreenshot(widgets::MainWindow& window, const Options& options) {
     waitFor(kLongestStudy_ms, [&] { return !window.mobility().advisor().session().isWorking(); });
     // The plots redraw on a timer.
     waitFor(500, [] { return false; });
-    if (auto* beside = window.findChild<QWidget*>("guide");
-        picture.isNull() && beside != nullptr && beside->isVisible()) {
-        picture = beside->grab();
+    for (const char* name : {"guide", "graphDock"}) {
+        // A window of its own beside the main one.
+        auto* beside = window.findChild<QWidget*>(name);
+        if (picture.isNull() && beside != nullptr && beside->isVisible() && beside->isWindow()) {
+            picture = beside->grab();
+        }
     }
     if (picture.isNull()) {
         picture = window.grab();
@@ -201,13 +212,11 @@ int run(const Options& options) {
             return kWrongUse;
         }
     }
-    if (!options.panel.empty()) {
-        window.showPanel(QString::fromStdString(options.panel));
-    }
     if (picturing) {
         return takeScreenshot(window, options);
     }
     window.show();
+    showPanel(window, options);
     QTimer::singleShot(0, &window, [&window, &options] {
         window.files().offerRecovery();
         if (options.tour) {

@@ -384,6 +384,7 @@ std::string formatParts(const project::Parts& parts) {
     json["format"] = kPartsFormat;
     json["version"] = kVersion;
     json["elements"] = toJson(parts.elements);
+    json["shapes"] = toJson(parts.shapes);
     json["needed"] = toJson(parts.needed);
     return formatJson(json);
 }
@@ -407,6 +408,9 @@ Result<project::Parts> parseParts(std::string_view text) {
     }
     project::Parts parts;
     reader.read(json["elements"], "elements", parts.elements);
+    if (json.contains("shapes")) {
+        reader.read(json["shapes"], "shapes", parts.shapes);
+    }
     reader.read(json["needed"], "needed", parts.needed);
     if (hasCritical(problems)) {
         return problems;

@@ -221,8 +221,9 @@ Selection selectionOf(const project::Project& project, const mechanism::Mechanis
                       const std::vector<ElementRef>& elements) {
     Selection center, left, right;
     for (const ElementRef element : elements) {
-        if (element.kind != ElementKind::Body && element.kind != ElementKind::Joint &&
-            element.kind != ElementKind::Wheel) {
+        if (element.isShape() ||
+            (element.kind != ElementKind::Body && element.kind != ElementKind::Joint &&
+             element.kind != ElementKind::Wheel)) {
             continue;
         }
         const std::string& name = nameOf(project, element);

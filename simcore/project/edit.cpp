@@ -69,6 +69,20 @@ bool follow(const Reference& reference, ElementKind kind, const std::set<std::st
     return false;
 }
 
+/// The place of the shape that "fork, shape 2" means; -1: none.
+int shapeIn(const Project& project, int body, const std::string& text) {
+    static const std::string kWord = ", shape ";
+    const std::size_t at = text.rfind(kWord);
+    int number = 0;
+    if (at == std::string::npos) {
+        return -1;
+    }
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + at + kWord.size(), end, number);
+    const bool known = error == std::errc() && number > 0 && number <= shapeCountOf(project, body);
+    return known ? number - 1 : -1;
+}
+
 }  // namespace
 
 std::vector<ElementKind> allElementKinds() {
@@ -105,9 +119,28 @@ int countOf(const Project& project, ElementKind kind) {
     return withList(project, kind, [](const auto& list) { return static_cast<int>(list.size()); });
 }
 
+int shapeCountOf(const Project& project, int body) {
+    return body < 0 || body >= countOf(project, ElementKind::Body)
+               ? 0
+               : static_cast<int>(
+                     project.rover.bodies[static_cast<std::size_t>(body)].shapes.size());
+}
+
+const Shape& shapeAt(const Project& project, ElementRef shape) {
+    if (shape.kind != ElementKind::Body || !shape.isShape() ||
+        shape.shape >= shapeCountOf(project, shape.index)) {
+        throw std::invalid_argument("no shape at this place");
+    }
+    return project.rover.bodies[static_cast<std::size_t>(shape.index)]
+        .shapes[static_cast<std::size_t>(shape.shape)];
+}
+
 const std::string& nameOf(const Project& project, ElementRef element) {
     if (element.index < 0 || element.index >= countOf(project, element.kind)) {
         throw std::invalid_argument("no " + wordFor(element.kind) + " at this place");
+    }
+    if (element.isShape()) {
+        shapeAt(project, element);  // throws when there is none
     }
     return withList(project, element.kind, [&](const auto& list) -> const std::string& {
         return list[static_cast<std::size_t>(element.index)].name;
@@ -126,7 +159,7 @@ ElementRef findElement(const Project& project, const std::string& problemElement
             const std::vector<std::string> sides = namesOnSides(project, ElementRef{kind, i});
             if (nameOf(project, {kind, i}) == name ||
                 std::find(sides.begin(), sides.end(), name) != sides.end()) {
-                return {kind, i};
+                return {kind, i, kind == ElementKind::Body ? shapeIn(project, i, rest) : -1};
             }
         }
     }
@@ -139,6 +172,10 @@ void forEachQuantity(Project& project, const std::function<void(Quantity&)>& vis
 
 Result<Project> renamed(const Project& project, ElementRef element, const std::string& name) {
     const std::string old = nameOf(project, element);
+    if (element.isShape()) {
+        return Problem{Severity::Critical, titleOf(project, element), "a shape has no name.",
+                       "Rename its body."};
+    }
     if (name == old) {
         return project;
     }
@@ -183,6 +220,9 @@ Result<Project> renamed(const Project& project, ElementRef element, const std::s
 }
 
 std::vector<ElementRef> userElements(const Project& project, ElementRef element) {
+    if (element.isShape()) {
+        return {};
+    }
     const std::vector<std::string> names = namesOnSides(project, element);
     const std::set<std::string> known = namesOnSides(project, element.kind);
     std::set<ElementRef> users;
@@ -228,6 +268,13 @@ Result<Project> removed(const Project& project, ElementRef element) {
 }
 
 Result<Project> duplicated(const Project& project, ElementRef element) {
+    if (element.isShape()) {
+        const Shape copy = shapeAt(project, element);
+        Project next = project;
+        std::vector<Shape>& shapes = shapesOf(next, element.index);
+        shapes.insert(shapes.begin() + element.shape + 1, copy);
+        return next;
+    }
     const std::string name =
         freeName(project, element.kind, nameOf(project, element), isMirrored(project, element));
     Project next = project;

@@ -15,10 +15,14 @@ namespace simcore::project {
 
 enum class ElementKind { Parameter, Body, Joint, Wheel, Spring, Gear, Payload, Variant, Scenario };
 
-/// One element of the file, by its place in its list.
+/// One element of the file, by its place in its list; or one shape of a body, by its place in that.
 struct ElementRef {
     ElementKind kind = ElementKind::Body;
     int index = -1;
+    int shape = -1;  ///< of the body; -1 = the element itself
+
+    bool isShape() const { return shape >= 0; }
+
     bool operator==(const ElementRef&) const = default;
     auto operator<=>(const ElementRef&) const = default;
 };
@@ -28,10 +32,15 @@ std::vector<ElementKind> allElementKinds();
 /// "parameter", "body", "gear", ...: as problems call them.
 std::string wordFor(ElementKind kind);
 int countOf(const Project& project, ElementKind kind);
-/// Name of the element; std::invalid_argument when there is none at this place.
+/// Shapes of the body at this place of its list; 0 when there is none.
+int shapeCountOf(const Project& project, int body);
+/// The shape; std::invalid_argument when there is none at this place.
+const Shape& shapeAt(const Project& project, ElementRef shape);
+/// Name of the element, of a shape that of its body: shapes have none. std::invalid_argument when
+/// there is none at this place.
 const std::string& nameOf(const Project& project, ElementRef element);
-/// The element that a problem's text such as "joint fork_a" or "wheel front, radius" means; also
-/// finds mirrored elements by the name of one side. Index -1: none.
+/// The element that a problem's text such as "joint fork_a", "wheel front, radius" or "body fork,
+/// shape 2" means; also finds mirrored elements by the name of one side. Index -1: none.
 ElementRef findElement(const Project& project, const std::string& problemElement);
 
 /// Calls `visit` with every number of the project.
@@ -39,7 +48,7 @@ void forEachQuantity(Project& project, const std::function<void(Quantity&)>& vis
 
 /// The element with another name; references and expressions follow. Problems: the name is empty,
 /// taken, or (for a parameter) not usable in expressions; a mirrored element refers to this one on
-/// one side only.
+/// one side only; it is a shape.
 Result<Project> renamed(const Project& project, ElementRef element, const std::string& name);
 
 /// Names of what refers to the element, as problems call them: "joint fork_a".
@@ -54,7 +63,8 @@ Result<Project> removed(const Project& project, ElementRef element);
 /// something outside the set refers to.
 Result<Project> removed(const Project& project, const std::vector<ElementRef>& elements);
 
-/// With a copy of the element behind it, named "<name>_2" or the next free number.
+/// With a copy of the element behind it, named "<name>_2" or the next free number. A shape's copy
+/// is like it.
 Result<Project> duplicated(const Project& project, ElementRef element);
 
 /// With a new element at the end of its list, valid at once where that can be: a joint between two
@@ -62,14 +72,24 @@ Result<Project> duplicated(const Project& project, ElementRef element);
 /// comes with it is added, too. Problem: what it needs is not there.
 Result<Project> added(const Project& project, ElementKind kind);
 
+/// With another shape of the kind at the end of the body's list, where the body's centre of mass
+/// is. Problem: there is no such body.
+Result<Project> withNewShape(const Project& project, int body, ShapeKind kind);
+
 /// With the element at another place of its list; the places behind it close up first. Problems: no
 /// such place, or a mirrored body would be the first one, the chassis.
 Result<Project> moved(const Project& project, ElementRef element, int newIndex);
 
+/// With the shapes, of whatever bodies, together before the one at `place` of the body's list; at
+/// its end when there is none. They keep their coordinates. Problem: there is no such body or
+/// place, or one of the elements is no shape.
+Result<Project> withShapesMoved(const Project& project, const std::vector<ElementRef>& shapes,
+                                int body, int place);
+
 /// Makes every one of the elements a mirrored pair, or what was a pair the left one of it; those
 /// that are so already stay. References follow. A left one whose split other half is still there
-/// takes it back. Problems: the kind cannot be mirrored, something still refers to a right one that
-/// would go, a name is taken.
+/// takes it back. Problems: the kind cannot be mirrored (a shape is with its body), something still
+/// refers to a right one that would go, a name is taken.
 Result<Project> mirrored(const Project& project, const std::vector<ElementRef>& elements,
                          bool mirror);
 
@@ -81,6 +101,7 @@ Result<Project> split(const Project& project, const std::vector<ElementRef>& ele
 /// Elements and what it takes to put them into another project.
 struct Parts {
     Project elements;               ///< those chosen, in the order of the file
+    std::vector<Shape> shapes;      ///< chosen without their bodies
     std::vector<Parameter> needed;  ///< parameters that their expressions use, and those of these
     bool operator==(const Parts&) const = default;
 };
@@ -90,10 +111,16 @@ Parts partsOf(const Project& project, const std::vector<ElementRef>& elements);
 
 /// With the parts at the ends of their lists. A name that is taken becomes "<name>_2" or the next
 /// free one, and the parts' references to it follow; needed parameters come along where the project
-/// has none of the name. Problems: there are no parts, or a reference cannot follow.
-Result<Project> withParts(const Project& project, const Parts& parts);
+/// has none of the name. Shapes go to the end of the list of `body`. Problems: there are no parts,
+/// a reference cannot follow, or there are shapes and no such body.
+Result<Project> withParts(const Project& project, const Parts& parts, int body = -1);
 
-/// The elements of `after` that `before`, of which it is an extension, has not. In file order.
+/// With copies of all of them at the ends of their lists, which refer to each other as the
+/// originals do; shapes at the ends of their own bodies. Problem: a reference cannot follow.
+Result<Project> duplicated(const Project& project, const std::vector<ElementRef>& elements);
+
+/// The elements and shapes of `after` that `before`, of which it is an extension, has not. In file
+/// order.
 std::vector<ElementRef> appended(const Project& before, const Project& after);
 
 /// Gives `quantity`, a number inside `project`, a value [SI]: the parameter when it is the name of

@@ -18,6 +18,7 @@ constexpr double kNewMass = 0.5;        // [kg]
 constexpr double kNewEdge = 0.1;        // [m]
 constexpr double kNewRadius = 0.07;     // [m]
 constexpr double kNewWidth = 0.05;      // [m]
+constexpr double kNewSection = 0.02;    // of bars and cylinders [m]
 constexpr double kNewStiffness = 10.0;  // [N m/rad]
 
 /// "wheel", or "wheel_2" and so on when that is taken.
@@ -62,6 +63,11 @@ Problem missing(ElementKind kind, std::string reason, std::string remedy) {
     return criticalFor(kind, "(new)", std::move(reason), std::move(remedy));
 }
 
+/// To whole millimetres: what a person would type.
+double rounded(double length) {
+    return std::round(1e3 * length) / 1e3;
+}
+
 Project withParameter(const Project& project) {
     Project next = project;
     Parameter parameter;
@@ -71,6 +77,35 @@ Project withParameter(const Project& project) {
     parameter.source = "assumed";
     next.rover.parameters.push_back(parameter);
     return next;
+}
+
+/// As large as a hand, about the body's centre of mass.
+Shape newShape(const Project& project, const Body& body, ShapeKind kind) {
+    Shape shape;
+    shape.kind = kind;
+    shape.color = "link";
+    switch (kind) {
+        case ShapeKind::Box:
+            shape.center = body.com;
+            shape.size = {kNewEdge, kNewEdge, kNewEdge};
+            break;
+        case ShapeKind::Sphere:
+            shape.center = body.com;
+            shape.radius = kNewEdge / 2.0;
+            break;
+        case ShapeKind::Cylinder:
+        case ShapeKind::Bar: {
+            // A cylinder lies as an axle does, a bar points forward.
+            const std::size_t axis = kind == ShapeKind::Bar ? 0 : 1;
+            const double middle = valueOf(project, body.com[axis], 0.0);
+            shape.from = shape.to = body.com;
+            shape.from[axis] = rounded(middle - kNewEdge / 2.0);
+            shape.to[axis] = rounded(middle + kNewEdge / 2.0);
+            shape.radius = kind == ShapeKind::Cylinder ? kNewSection : 0.0;
+            shape.width = shape.height = kind == ShapeKind::Bar ? kNewSection : 0.0;
+        }
+    }
+    return shape;
 }
 
 /// A box above the chassis, welded to it: a body that hangs on nothing is a mistake.
@@ -87,11 +122,7 @@ Project withBody(const Project& project) {
         at[2] = std::round(100.0 * at[2] + 15.0) / 100.0;
     }
     body.com = {at[0], at[1], at[2]};
-    Shape box;
-    box.center = body.com;
-    box.size = {kNewEdge, kNewEdge, kNewEdge};
-    box.color = "link";
-    body.shapes.push_back(box);
+    body.shapes.push_back(newShape(project, body, ShapeKind::Box));
     next.rover.bodies.push_back(body);
     if (!project.rover.bodies.empty()) {
         Joint weld;
@@ -221,8 +252,8 @@ Result<Project> withWheel(const Project& project) {
             }
         }
     }
-    x = std::round(1e3 * x) / 1e3;
-    y = std::round(1e3 * y) / 1e3;
+    x = rounded(x);
+    y = rounded(y);
     Body hub;
     hub.mirror = true;
     hub.name = newName(project, ElementKind::Body, "wheel", true);
@@ -379,6 +410,17 @@ Result<Project> added(const Project& project, ElementKind kind) {
             break;
     }
     next.scenarios.emplace_back().name = newName(project, kind, "flat", false);
+    return next;
+}
+
+Result<Project> withNewShape(const Project& project, int body, ShapeKind kind) {
+    if (body < 0 || body >= countOf(project, ElementKind::Body)) {
+        return Problem{Severity::Critical, "shape", "no body is selected for it.",
+                       "Select the body that it belongs to first."};
+    }
+    Project next = project;
+    std::vector<Shape>& shapes = shapesOf(next, body);
+    shapes.push_back(newShape(project, next.rover.bodies[static_cast<std::size_t>(body)], kind));
     return next;
 }
 

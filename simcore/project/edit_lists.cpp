@@ -12,14 +12,22 @@
 namespace simcore::project {
 namespace {
 
-/// Those that there are, once each, in file order.
+/// Those that there are, once each, in file order; shapes only where their body is not among them,
+/// as they go with it.
 std::set<ElementRef> chosen(const Project& project, const std::vector<ElementRef>& elements) {
     std::set<ElementRef> set;
     for (const ElementRef element : elements) {
         nameOf(project, element);  // throws when there is none
         set.insert(element);
     }
+    std::erase_if(set, [&](ElementRef element) {
+        return element.isShape() && set.contains({element.kind, element.index});
+    });
     return set;
+}
+
+Problem noBody(std::string remedy) {
+    return {Severity::Critical, "shape", "there is no body for it.", std::move(remedy)};
 }
 
 /// Whether the one that becomes the chassis cannot be it.
@@ -68,6 +76,11 @@ Result<Project> removed(const Project& project, const std::vector<ElementRef>& e
     Project next = project;
     // From behind, so that the places of the others stay.
     for (auto it = set.rbegin(); it != set.rend(); ++it) {
+        if (it->isShape()) {
+            std::vector<Shape>& shapes = shapesOf(next, it->index);
+            shapes.erase(shapes.begin() + it->shape);
+            continue;
+        }
         withList(next, it->kind, [&](auto& list) { list.erase(list.begin() + it->index); });
     }
     if (hasMirroredChassis(next) && !hasMirroredChassis(project)) {
@@ -82,6 +95,11 @@ Result<Project> removed(const Project& project, const std::vector<ElementRef>& e
 
 Result<Project> moved(const Project& project, ElementRef element, int newIndex) {
     const std::string& name = nameOf(project, element);
+    if (element.isShape()) {
+        // Places are counted before it is taken out there.
+        return withShapesMoved(project, {element}, element.index,
+                               newIndex + (newIndex > element.shape ? 1 : 0));
+    }
     if (newIndex < 0 || newIndex >= countOf(project, element.kind)) {
         return criticalFor(element.kind, name, "there is no such place in the list.",
                            "Choose another place.");
@@ -106,12 +124,43 @@ Result<Project> moved(const Project& project, ElementRef element, int newIndex) 
     return next;
 }
 
+Result<Project> withShapesMoved(const Project& project, const std::vector<ElementRef>& shapes,
+                                int body, int place) {
+    if (body < 0 || body >= countOf(project, ElementKind::Body)) {
+        return noBody("Choose a body.");
+    }
+    std::vector<Shape> taken;
+    int before = 0;
+    for (const ElementRef shape : std::set<ElementRef>(shapes.begin(), shapes.end())) {
+        if (!shape.isShape()) {
+            return Problem{Severity::Critical, titleOf(project, shape), "it is no shape.",
+                           "Move shapes alone into another body."};
+        }
+        taken.push_back(shapeAt(project, shape));
+        before += shape.index == body && shape.shape < place ? 1 : 0;
+    }
+    if (place < 0 || place > shapeCountOf(project, body)) {
+        return Problem{Severity::Critical, titleOf(project, {ElementKind::Body, body}),
+                       "there is no such place among its shapes.", "Choose another place."};
+    }
+    auto next = removed(project, shapes);
+    if (next) {
+        std::vector<Shape>& list = shapesOf(next.value(), body);
+        list.insert(list.begin() + place - before, taken.begin(), taken.end());
+    }
+    return next;
+}
+
 Parts partsOf(const Project& project, const std::vector<ElementRef>& elements) {
     Parts parts;
     parts.elements.rover.name = project.rover.name;
     std::set<std::string> names;
     std::set<std::string> own;
     for (const ElementRef element : chosen(project, elements)) {
+        if (element.isShape()) {
+            parts.shapes.push_back(shapeAt(project, element));
+            continue;
+        }
         withList(parts.elements, element.kind, [&](auto& list) {
             using List = std::remove_reference_t<decltype(list)>;
             withList(project, element.kind, [&](const auto& from) {
@@ -124,11 +173,15 @@ Parts partsOf(const Project& project, const std::vector<ElementRef>& elements) {
             own.insert(nameOf(project, element));
         }
     }
-    forEachQuantity(parts.elements, [&](Quantity& quantity) {
+    const std::function<void(Quantity&)> note = [&](Quantity& quantity) {
         if (!quantity.isLiteral()) {
             names.merge(namesIn(quantity.text()));
         }
-    });
+    };
+    forEachQuantity(parts.elements, note);
+    for (Shape& shape : parts.shapes) {
+        QuantityWalker(note).walk(shape);
+    }
     for (const Variant& variant : parts.elements.variants) {
         for (const Override& change : variant.set) {
             names.insert(change.parameter);
@@ -143,9 +196,12 @@ Parts partsOf(const Project& project, const std::vector<ElementRef>& elements) {
     return parts;
 }
 
-Result<Project> withParts(const Project& project, const Parts& parts) {
+Result<Project> withParts(const Project& project, const Parts& parts, int body) {
     Project fresh = parts.elements;
-    bool any = false;
+    bool any = !parts.shapes.empty();
+    if (any && (body < 0 || body >= countOf(project, ElementKind::Body))) {
+        return noBody("Select the body to put it in first.");
+    }
     for (const ElementKind kind : allElementKinds()) {
         for (int i = 0; i < countOf(fresh, kind); ++i) {
             any = true;
@@ -198,12 +254,35 @@ Result<Project> withParts(const Project& project, const Parts& parts) {
             });
         });
     }
+    if (!parts.shapes.empty()) {
+        std::vector<Shape>& shapes = shapesOf(next, body);
+        shapes.insert(shapes.end(), parts.shapes.begin(), parts.shapes.end());
+    }
     return next;
+}
+
+Result<Project> duplicated(const Project& project, const std::vector<ElementRef>& elements) {
+    Project next = project;
+    std::vector<ElementRef> others;
+    for (const ElementRef element : chosen(project, elements)) {
+        if (element.isShape()) {
+            shapesOf(next, element.index).push_back(shapeAt(project, element));
+        } else {
+            others.push_back(element);
+        }
+    }
+    return others.empty() ? Result<Project>(std::move(next))
+                          : withParts(next, partsOf(next, others));
 }
 
 std::vector<ElementRef> appended(const Project& before, const Project& after) {
     std::vector<ElementRef> elements;
     for (const ElementKind kind : allElementKinds()) {
+        for (int i = 0; kind == ElementKind::Body && i < countOf(before, kind); ++i) {
+            for (int k = shapeCountOf(before, i); k < shapeCountOf(after, i); ++k) {
+                elements.push_back({kind, i, k});
+            }
+        }
         for (int i = countOf(before, kind); i < countOf(after, kind); ++i) {
             elements.push_back({kind, i});
         }

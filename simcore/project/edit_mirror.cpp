@@ -314,6 +314,10 @@ Result<Project> mirrored(const Project& project, const std::vector<ElementRef>& 
         if (!canMirror(element.kind)) {
             return cannotMirror(project, element);
         }
+        if (element.isShape()) {
+            return Problem{Severity::Critical, titleOf(project, element),
+                           "a shape is mirrored with its body.", "Mirror the body."};
+        }
         all.emplace_back(element.kind, nameOf(project, element));
     }
     Project next = project;

@@ -60,7 +60,8 @@ std::vector<Reference> referencesIn(Project& project) {
 }
 
 std::string titleOf(const Project& project, ElementRef element) {
-    return wordFor(element.kind) + " " + nameOf(project, element);
+    return wordFor(element.kind) + " " + nameOf(project, element) +
+           (element.isShape() ? fmt::format(", shape {}", element.shape + 1) : "");
 }
 
 bool canMirror(ElementKind kind) {
@@ -69,6 +70,9 @@ bool canMirror(ElementKind kind) {
 }
 
 bool isMirrored(const Project& project, ElementRef element) {
+    if (element.isShape()) {
+        return false;
+    }
     return withList(project, element.kind, [&](const auto& list) {
         const auto& one = list[static_cast<std::size_t>(element.index)];
         if constexpr (requires { one.mirror; }) {

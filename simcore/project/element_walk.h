@@ -41,6 +41,11 @@ decltype(auto) withList(P& project, ElementKind kind, F&& f) {
     return f(project.scenarios);
 }
 
+/// Those of the body, which must be there.
+inline std::vector<Shape>& shapesOf(Project& project, int body) {
+    return project.rover.bodies.at(static_cast<std::size_t>(body)).shapes;
+}
+
 /// Walks every Quantity below an element through the field table.
 class QuantityWalker {
   public:
@@ -116,7 +121,7 @@ struct Reference {
 /// All of them; they point into `project`. Never empty texts.
 std::vector<Reference> referencesIn(Project& project);
 
-/// "joint fork_a".
+/// "joint fork_a", "body fork, shape 2".
 std::string titleOf(const Project& project, ElementRef element);
 
 /// The names that an element has after mirroring: one, or left and right.
@@ -146,6 +151,7 @@ Problem criticalFor(ElementKind kind, const std::string& name, std::string reaso
 
 /// Whether an element of the kind can be mirrored.
 bool canMirror(ElementKind kind);
+/// Not of a shape: its body may be.
 bool isMirrored(const Project& project, ElementRef element);
 
 }  // namespace simcore::project

@@ -298,8 +298,9 @@ void Resolver::readParts() {
         part.fixed = body.fixed;
         part.mass.mass = value_.positive(body.mass, element, "mass", "mass");
         part.mass.com = mirroredPoint(value_(body.com, element, "com"), copy.side);
-        for (const Shape& shape : body.shapes) {
-            part.shapes.push_back(readShape(shape, element, copy.side));
+        for (std::size_t k = 0; k < body.shapes.size(); ++k) {
+            part.shapes.push_back(
+                readShape(body.shapes[k], fmt::format("{}, shape {}", element, k + 1), copy.side));
         }
         if (body.inertia) {
             part.inertiaGiven = true;

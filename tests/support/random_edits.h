@@ -42,7 +42,15 @@ class RandomEdits {
         if (count == 0) {
             return std::nullopt;
         }
-        const ElementRef element{kind, below(count)};
+        ElementRef element{kind, below(count)};
+        if (kind == ElementKind::Body) {
+            const int shapes = shapeCountOf(project, element.index);
+            if (below(4) == 0 && shapes < kMany) {
+                const int shape = below(4);
+                return taken(withNewShape(project, element.index, static_cast<ShapeKind>(shape)));
+            }
+            element.shape = shapes > 0 && below(2) == 0 ? below(shapes) : -1;
+        }
         switch (lot) {
             case 3:
                 return taken(removed(project, element));
@@ -57,7 +65,7 @@ class RandomEdits {
             case 8:
                 return grows ? taken(split(project, {element})) : std::nullopt;
             default:
-                return grows ? taken(withParts(project, partsOf(project, {element})))
+                return grows ? taken(withParts(project, partsOf(project, {element}), 0))
                              : std::nullopt;
         }
     }

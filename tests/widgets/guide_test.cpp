@@ -115,3 +115,25 @@ TEST_F(GuideTest, EveryLinkLeadsSomewhere) {
     }
     EXPECT_THAT(dead, IsEmpty());
 }
+
+TEST_F(GuideTest, PicturesKeepToTheWidthOfTheWindow) {
+    auto* guide = open();
+    auto* text = guide->findChild<QTextBrowser*>();
+    ASSERT_NE(text, nullptr);
+    const auto widest = [text] {
+        double width = 0.0;
+        for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next()) {
+            for (auto it = block.begin(); !it.atEnd(); ++it) {
+                const QTextImageFormat image = it.fragment().charFormat().toImageFormat();
+                width = std::max(width, image.isValid() ? image.width() : 0.0);
+            }
+        }
+        return width;
+    };
+    for (const int width : {1000, 700}) {
+        guide->resize(width, 600);
+        QTest::qWait(50);
+        EXPECT_LT(widest(), text->viewport()->width());
+        EXPECT_GT(widest(), 0.8 * text->viewport()->width());
+    }
+}

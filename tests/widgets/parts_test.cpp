@@ -16,6 +16,7 @@
 
 #include <gmock/gmock.h>
 
+#include "render/scene.h"
 #include "simcore/io/project_file.h"
 #include "tests/support/dialogs.h"
 #include "tests/support/studio.h"
@@ -73,25 +74,57 @@ class PartsTest : public testsupport::StudioTest {
         ASSERT_EQ(tree->selection().size(), 3U);
     }
 
-    /// Chooses from the menu of the Add button with real clicks.
-    void addByMenu(const QString& kind) {
-        auto* button = find<QToolButton>("addPart");
-        QTimer::singleShot(0, button, [button, kind] {
-            QMenu* menu = button->menu();
-            for (int waited = 0; !menu->isVisible() && waited < 100; ++waited) {
-                QTest::qWait(20);
+    /// Clicks on an entry of a menu as soon as it is on the screen.
+    static void clickIn(QMenu* menu, const QString& entry) {
+        for (int waited = 0; !menu->isVisible() && waited < 100; ++waited) {
+            QTest::qWait(20);
+        }
+        for (QAction* action : menu->actions()) {
+            if (action->text() == entry) {
+                QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
+                return;
             }
-            for (QAction* action : menu->actions()) {
-                if (action->text() == kind) {
-                    QTest::mouseClick(menu, Qt::LeftButton, {},
-                                      menu->actionGeometry(action).center());
-                    return;
+        }
+        ADD_FAILURE() << "there is no " << entry.toStdString();
+        menu->close();
+    }
+
+    /// Chooses from the menu of a button with real clicks; from its submenu when one is named.
+    static void chooseFrom(QWidget* button, QMenu* menu, const QString& entry,
+                           const QString& submenu = {}) {
+        QTimer::singleShot(0, button, [menu, entry, submenu] {
+            QMenu* inner = menu;
+            if (!submenu.isEmpty()) {
+                clickIn(menu, submenu);
+                for (QAction* action : menu->actions()) {
+                    inner = action->text() == submenu ? action->menu() : inner;
                 }
             }
-            menu->close();
+            clickIn(inner, entry);
         });
         QTest::mouseClick(button, Qt::LeftButton);
-        EXPECT_TRUE(waitUntil([button] { return !button->menu()->isVisible(); }));
+        EXPECT_TRUE(waitUntil([menu] { return !menu->isVisible(); }));
+    }
+
+    void addByMenu(const QString& kind) {
+        auto* button = find<QToolButton>("addPart");
+        chooseFrom(button, button->menu(), kind);
+    }
+
+    void addShapeByMenu(const QString& kind) {
+        auto* button = find<QToolButton>("addPart");
+        chooseFrom(button, button->menu(), kind, "Shape");
+    }
+
+    /// Opens the body by key, then clicks on one of its shapes.
+    void clickShape(const QString& body, int shape) {
+        click("Bodies", body);
+        QTest::keyClick(tree, Qt::Key_Right);
+        QTreeWidgetItem* found = item("Bodies", body);
+        ASSERT_TRUE(found->isExpanded());
+        tree->scrollToItem(found->child(shape));
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
+                          tree->visualItemRect(found->child(shape)).center());
     }
 
     /// Drags an item onto the upper half of another one.
@@ -342,19 +375,143 @@ TEST_F(PartsTest, WizardCanBeLeftWithoutAChange) {
     EXPECT_EQ(text(), first);
 }
 
-TEST_F(PartsTest, ShapesAndVariantsAreEditedInTheProperties) {
+TEST_F(PartsTest, ShapesAreBelowTheirBodyAndHavePropertiesOfTheirOwn) {
+    QTreeWidgetItem* bogie = item("Bodies", "bogie");
+    ASSERT_NE(bogie, nullptr);
+    ASSERT_EQ(bogie->childCount(), shapeCountOf(project(), 2));
+    EXPECT_EQ(bogie->child(0)->text(0), "Bar 1");
+    EXPECT_FALSE(bogie->isExpanded());
+    auto* panel = window->findChild<widgets::PropertyPanel*>();
+    clickShape("bogie", 0);
+    EXPECT_EQ(tree->selected(), (ElementRef{ElementKind::Body, 2, 0}));
+    EXPECT_EQ(panel->element(), tree->selected());
+    // Its body is marked in the 3-D view.
+    EXPECT_EQ(window->scene().highlightedBody(),
+              window->document().derived().mechanism->findBody("bogie_left"));
+    auto* width = panel->findChild<QuantityField*>("property:width");
+    ASSERT_NE(width, nullptr);
+    EXPECT_EQ(panel->findChild<QuantityField*>("property:radius"), nullptr);
+    type(width, "33");
+    EXPECT_DOUBLE_EQ(project().rover.bodies[2].shapes[0].width.literal(), 0.033);
+    EXPECT_EQ(undoText(), "Change Width");
+    EXPECT_TRUE(bogie->child(0)->text(1).startsWith(QString("33") + QChar(0x00D7)));
+    // Another kind has other fields, and its label follows.
+    auto* kind = panel->findChild<QComboBox*>("property:kind");
+    ASSERT_NE(kind, nullptr);
+    kind->setCurrentText("cylinder");
+    emit kind->activated(kind->currentIndex());
+    EXPECT_NE(panel->findChild<QuantityField*>("property:radius"), nullptr);
+    EXPECT_EQ(bogie->child(0)->text(0), "Cylinder 1");
+    undoAll();
+}
+
+TEST_F(PartsTest, ShapesOfEveryKindAreAddedByTheMenuSelectedAndUndone) {
+    const int before = shapeCountOf(project(), 2);
+    addShapeByMenu("Box");  // to no body
+    EXPECT_EQ(text(), first);
+    click("Bodies", "bogie");
+    int count = before;
+    for (const QString kind : {"Box", "Cylinder", "Sphere", "Bar"}) {
+        addShapeByMenu(kind);
+        ASSERT_EQ(shapeCountOf(project(), 2), ++count) << kind.toStdString();
+        EXPECT_EQ(undoText(), "Add " + kind.toLower());
+        EXPECT_EQ(tree->selected(), (ElementRef{ElementKind::Body, 2, count - 1}));
+        EXPECT_EQ(window->findChild<widgets::PropertyPanel*>()->element(), tree->selected());
+        EXPECT_TRUE(item("Bodies", "bogie")->isExpanded());
+        EXPECT_FALSE(hasCritical(window->document().derived().problems))
+            << toString(window->document().derived().problems);
+    }
+    EXPECT_EQ(window->document().undoStack().count(), 4);
+    undoAll();
+}
+
+TEST_F(PartsTest, ShapesAreDuplicatedMovedCopiedAndDeletedByKeys) {
+    const int before = shapeCountOf(project(), 2);
+    const auto shape = [this](int at) { return shapeAt(project(), {ElementKind::Body, 2, at}); };
+    clickShape("bogie", 0);
+    press(Qt::Key_D, Qt::ControlModifier);
+    EXPECT_EQ(undoText(), "Duplicate bar 1 of bogie");
+    EXPECT_EQ(shapeCountOf(project(), 2), before + 1);
+    EXPECT_EQ(shape(1), shape(0));
+    EXPECT_EQ(tree->selected(), (ElementRef{ElementKind::Body, 2, 1}));
+    auto* width =
+        window->findChild<widgets::PropertyPanel*>()->findChild<QuantityField*>("property:width");
+    type(width, "7");
+    press(Qt::Key_Up, Qt::AltModifier);
+    EXPECT_EQ(undoText(), "Move bar 2 of bogie");
+    EXPECT_DOUBLE_EQ(shape(0).width.literal(), 0.007);
+    EXPECT_EQ(tree->selected(), (ElementRef{ElementKind::Body, 2, 0}));
+    press(Qt::Key_C, Qt::ControlModifier);
+    press(Qt::Key_Delete);
+    EXPECT_EQ(undoText(), "Delete bar 1 of bogie");
+    EXPECT_EQ(shapeCountOf(project(), 2), before);
+    // Into another body.
+    const int chassis = shapeCountOf(project(), 0);
+    click("Bodies", "chassis");
+    press(Qt::Key_V, Qt::ControlModifier);
+    EXPECT_EQ(shapeCountOf(project(), 0), chassis + 1);
+    EXPECT_DOUBLE_EQ(project().rover.bodies[0].shapes.back().width.literal(), 0.007);
+    EXPECT_EQ(tree->selected(), (ElementRef{ElementKind::Body, 0, chassis}));
+    EXPECT_EQ(window->document().undoStack().count(), 5);
+    // Neither renamed nor mirrored.
+    const std::string now = text();
+    press(Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
+    window->actions().at("rename")->trigger();
+    EXPECT_EQ(text(), now);
+    undoAll();
+}
+
+TEST_F(PartsTest, DraggingMovesAShapeIntoAnotherBody) {
+    const simcore::project::Shape bar = shapeAt(project(), {ElementKind::Body, 2, 0});
+    const int chassis = shapeCountOf(project(), 0);
+    clickShape("bogie", 0);
+    drag(item("Bodies", "bogie")->child(0), item("Bodies", "chassis"));
+    EXPECT_EQ(shapeCountOf(project(), 0), chassis + 1);
+    EXPECT_EQ(project().rover.bodies[0].shapes.back(), bar);
+    EXPECT_EQ(undoText(), "Move bar 1 of bogie");
+    EXPECT_EQ(tree->selected(), (ElementRef{ElementKind::Body, 0, chassis}));
+    press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(text(), first);
+    // Nowhere else.
+    clickShape("bogie", 0);
+    drag(item("Bodies", "bogie")->child(0), item("Wheels", "{side}_rear"));
+    EXPECT_EQ(text(), first);
+}
+
+TEST_F(PartsTest, SearchFindsShapesAndOpensTheirBody) {
+    auto* search = find<QLineEdit>("searchParts");
+    QTest::keyClicks(search, "bar 1");
+    EXPECT_TRUE(item("Bodies", "bogie")->isExpanded());
+    EXPECT_FALSE(item("Bodies", "bogie")->child(0)->isHidden());
+    EXPECT_TRUE(item("Joints", "rocker_pivot")->isHidden());
+    search->clear();
+    EXPECT_FALSE(item("Bodies", "bogie")->isExpanded());
+    QTest::keyClicks(search, "bogie");
+    EXPECT_FALSE(item("Bodies", "bogie")->isExpanded());
+    EXPECT_FALSE(item("Bodies", "bogie")->child(0)->isHidden());
+}
+
+TEST_F(PartsTest, PropertiesOfABodyLeadToItsShapesAndAddOnes) {
     click("Bodies", "bogie");
     auto* panel = window->findChild<widgets::PropertyPanel*>();
-    const auto shapes = [this] { return project().rover.bodies[2].shapes.size(); };
-    const std::size_t before = shapes();
-    ASSERT_EQ(project().rover.bodies[2].name, "bogie");
     auto* add = panel->findChild<QPushButton*>("add:shapes");
     ASSERT_NE(add, nullptr);
     panel->ensureWidgetVisible(add);
-    QTest::mouseClick(add, Qt::LeftButton);
-    EXPECT_EQ(shapes(), before + 1);
-    EXPECT_TRUE(window->document().derived().mechanism.has_value());
+    const int before = shapeCountOf(project(), 2);
+    chooseFrom(add, add->menu(), "Sphere");
+    EXPECT_EQ(shapeCountOf(project(), 2), before + 1);
+    click("Bodies", "bogie");
+    auto* bar = panel->findChild<QPushButton*>("shape:0");
+    ASSERT_NE(bar, nullptr);
+    panel->ensureWidgetVisible(bar);
+    QTest::mouseClick(bar, Qt::LeftButton);
+    EXPECT_EQ(tree->selected(), (ElementRef{ElementKind::Body, 2, 0}));
+    EXPECT_EQ(panel->element(), tree->selected());
     undoAll();
+}
+
+TEST_F(PartsTest, VariantsAreEditedInTheProperties) {
+    auto* panel = window->findChild<widgets::PropertyPanel*>();
     addByMenu("Variant");
     auto* set = panel->findChild<QComboBox*>("add:set");
     ASSERT_NE(set, nullptr);

@@ -14,12 +14,12 @@ void copyParts(const Project& project, const std::vector<simcore::project::Eleme
         QString::fromStdString(simcore::io::formatParts(partsOf(project, elements))));
 }
 
-simcore::Result<Project> pasted(const Project& project) {
+simcore::Result<Project> pasted(const Project& project, int body) {
     const auto parts = simcore::io::parseParts(QGuiApplication::clipboard()->text().toStdString());
     if (!parts) {
         return parts.problems();
     }
-    return withParts(project, *parts);
+    return withParts(project, *parts, body);
 }
 
 }  // namespace widgets::clipboard

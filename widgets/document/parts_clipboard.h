@@ -12,7 +12,9 @@ namespace widgets::clipboard {
 void copyParts(const simcore::project::Project& project,
                const std::vector<simcore::project::ElementRef>& elements);
 
-/// With the clipboard's parts. Problems: there are none, or they do not fit.
-simcore::Result<simcore::project::Project> pasted(const simcore::project::Project& project);
+/// With the clipboard's parts, shapes in the body at this place. Problems: there are none, or they
+/// do not fit.
+simcore::Result<simcore::project::Project> pasted(const simcore::project::Project& project,
+                                                  int body);
 
 }  // namespace widgets::clipboard

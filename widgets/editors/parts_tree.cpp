@@ -20,11 +20,13 @@ using simcore::project::ElementKind;
 using simcore::project::ElementRef;
 using simcore::project::Project;
 using simcore::project::Quantity;
+using simcore::project::ShapeKind;
 
 namespace {
 
 constexpr int kKindRole = Qt::UserRole;
 constexpr int kIndexRole = Qt::UserRole + 1;
+constexpr int kShapeRole = Qt::UserRole + 2;
 
 QString groupTitle(ElementKind kind) {
     switch (kind) {
@@ -50,9 +52,16 @@ QString groupTitle(ElementKind kind) {
     return PartsTree::tr("Scenarios");
 }
 
-/// Groups that are open at first.
-bool opensAtFirst(ElementKind kind) {
+/// Groups that are open at first; bodies with their shapes are not.
+bool opensAtFirst(const QTreeWidgetItem* item) {
+    const auto kind = static_cast<ElementKind>(item->data(0, kKindRole).toInt());
     return kind == ElementKind::Wheel || kind == ElementKind::Scenario;
+}
+
+/// What its being open is remembered by: it outlives the item.
+QString keyOf(const QTreeWidgetItem* item) {
+    return item->parent() == nullptr ? QString::number(item->data(0, kKindRole).toInt())
+                                     : "body " + item->text(0);
 }
 
 ElementRef elementOf(const QTreeWidgetItem* item) {
@@ -60,7 +69,7 @@ ElementRef elementOf(const QTreeWidgetItem* item) {
         return {};
     }
     return {static_cast<ElementKind>(item->data(0, kKindRole).toInt()),
-            item->data(0, kIndexRole).toInt()};
+            item->data(0, kIndexRole).toInt(), item->data(0, kShapeRole).toInt()};
 }
 
 /// "pin", "ball", "welded", else the number of freedoms.
@@ -100,6 +109,30 @@ QString kindTitle(ElementKind kind) {
     return PartsTree::tr("Scenario");
 }
 
+QString kindTitle(ShapeKind kind) {
+    switch (kind) {
+        case ShapeKind::Box:
+            return PartsTree::tr("Box");
+        case ShapeKind::Cylinder:
+            return PartsTree::tr("Cylinder");
+        case ShapeKind::Sphere:
+            return PartsTree::tr("Sphere");
+        case ShapeKind::Bar:
+            break;
+    }
+    return PartsTree::tr("Bar");
+}
+
+QString labelOf(const Project& project, ElementRef element) {
+    if (!element.isShape()) {
+        return QString::fromStdString(nameOf(project, element));
+    }
+    //: Kind of a shape and its place among those of the body: "Box 2".
+    return PartsTree::tr("%1 %2", "shape")
+        .arg(kindTitle(shapeAt(project, element).kind))
+        .arg(element.shape + 1);
+}
+
 PartsTree::PartsTree(Document* document, QWidget* parent)
     : QTreeWidget(parent),
       document_(document) {
@@ -136,16 +169,36 @@ PartsTree::PartsTree(Document* document, QWidget* parent)
     refresh();
 }
 
+QString PartsTree::shown(const Quantity& quantity, const char* unit) const {
+    const auto value = simcore::project::evaluate(quantity, document_->derived().parameters, "");
+    return value ? QString::fromStdString(simcore::project::formatIn(*value, unit, 4)) + ' ' + unit
+                 : QString("?");
+}
+
+QString PartsTree::shapeDetail(const simcore::project::Shape& shape) const {
+    const auto number = [this](const Quantity& length) {
+        return shown(length, "mm").remove(" mm");
+    };
+    static const QString kTimes = QString(QChar(0x00D7));
+    switch (shape.kind) {
+        case ShapeKind::Box:
+            return number(shape.size[0]) + kTimes + number(shape.size[1]) + kTimes +
+                   shown(shape.size[2], "mm");
+        case ShapeKind::Bar:
+            return number(shape.width) + kTimes + shown(shape.height, "mm");
+        case ShapeKind::Cylinder:
+        case ShapeKind::Sphere:
+            break;
+    }
+    return tr("radius %1").arg(shown(shape.radius, "mm"));
+}
+
 QString PartsTree::detail(ElementRef element) const {
     const Project& project = document_->project();
+    if (element.isShape()) {
+        return shapeDetail(shapeAt(project, element));
+    }
     const auto at = static_cast<std::size_t>(element.index);
-    const auto shown = [&](const Quantity& quantity, const char* unit) {
-        const auto value =
-            simcore::project::evaluate(quantity, document_->derived().parameters, "");
-        return value ? QString::fromStdString(simcore::project::formatIn(*value, unit, 4)) + ' ' +
-                           unit
-                     : QString("?");
-    };
     switch (element.kind) {
         case ElementKind::Parameter: {
             const simcore::project::Parameter& parameter = project.rover.parameters[at];
@@ -179,15 +232,19 @@ void PartsTree::refresh() {
     for (const ElementKind kind : simcore::project::allElementKinds()) {
         wanted += static_cast<std::size_t>(countOf(project, kind));
     }
+    for (const auto& body : project.rover.bodies) {
+        wanted += body.shapes.size();
+    }
     bool same = wanted == items_.size();
     for (const auto& [element, item] : items_) {
-        same = same && element.index < countOf(project, element.kind);
+        same = same && element.index < countOf(project, element.kind) &&
+               (!element.isShape() || element.shape < shapeCountOf(project, element.index));
     }
     if (!same) {
         rebuild();
     }
     for (const auto& [element, item] : items_) {
-        const QString name = QString::fromStdString(nameOf(project, element));
+        const QString name = labelOf(project, element);
         if (item->text(0) != name) {
             item->setText(0, name);
             item->setToolTip(0, name);
@@ -208,9 +265,7 @@ void PartsTree::refresh() {
 void PartsTree::rebuild() {
     const Project& project = document_->project();
     if (filter_.isEmpty()) {
-        for (int i = 0; i < topLevelItemCount(); ++i) {
-            expanded_[topLevelItem(i)->data(0, kKindRole).toInt()] = topLevelItem(i)->isExpanded();
-        }
+        rememberExpanded();
     }
     clear();
     items_.clear();
@@ -222,49 +277,96 @@ void PartsTree::rebuild() {
         auto* group = new QTreeWidgetItem(this, {groupTitle(kind), QString::number(count)});
         group->setData(0, kKindRole, static_cast<int>(kind));
         group->setData(0, kIndexRole, -1);
+        group->setData(0, kShapeRole, -1);
         group->setFlags(Qt::ItemIsEnabled | Qt::ItemIsDropEnabled);
         group->setForeground(1, palette().brush(QPalette::PlaceholderText));
         for (int i = 0; i < count; ++i) {
-            auto* item = new QTreeWidgetItem(group);
-            item->setData(0, kKindRole, static_cast<int>(kind));
-            item->setData(0, kIndexRole, i);
-            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable |
-                           Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren);
-            items_[{kind, i}] = item;
+            QTreeWidgetItem* item = addItem(group, {kind, i});
+            const int shapes = kind == ElementKind::Body ? shapeCountOf(project, i) : 0;
+            for (int k = 0; k < shapes; ++k) {
+                addItem(item, {kind, i, k});
+            }
         }
-        const auto known = expanded_.find(static_cast<int>(kind));
-        group->setExpanded(known == expanded_.end() ? opensAtFirst(kind) : known->second);
+    }
+    restoreExpanded();
+}
+
+QTreeWidgetItem* PartsTree::addItem(QTreeWidgetItem* parent, ElementRef element) {
+    auto* item = new QTreeWidgetItem(parent);
+    item->setData(0, kKindRole, static_cast<int>(element.kind));
+    item->setData(0, kIndexRole, element.index);
+    item->setData(0, kShapeRole, element.shape);
+    item->setText(0, labelOf(document_->project(), element));
+    Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled;
+    if (!element.isShape()) {
+        flags |= Qt::ItemIsEditable;  // shapes have no name
+    }
+    if (element.kind != ElementKind::Body || element.isShape()) {
+        flags |= Qt::ItemNeverHasChildren;
+    } else {
+        flags |= Qt::ItemIsDropEnabled;
+    }
+    item->setFlags(flags);
+    items_[element] = item;
+    return item;
+}
+
+void PartsTree::rememberExpanded() {
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        const QTreeWidgetItem* group = topLevelItem(i);
+        expanded_[keyOf(group)] = group->isExpanded();
+        for (int k = 0; k < group->childCount(); ++k) {
+            if (group->child(k)->childCount() > 0) {
+                expanded_[keyOf(group->child(k))] = group->child(k)->isExpanded();
+            }
+        }
+    }
+}
+
+void PartsTree::restoreExpanded() {
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        QTreeWidgetItem* group = topLevelItem(i);
+        const auto known = expanded_.find(keyOf(group));
+        group->setExpanded(known == expanded_.end() ? opensAtFirst(group) : known->second);
+        for (int k = 0; k < group->childCount(); ++k) {
+            const auto body = expanded_.find(keyOf(group->child(k)));
+            group->child(k)->setExpanded(body != expanded_.end() && body->second);
+        }
     }
 }
 
 void PartsTree::filter(const QString& text) {
     if (filter_.isEmpty() && !text.isEmpty()) {
-        for (int i = 0; i < topLevelItemCount(); ++i) {
-            expanded_[topLevelItem(i)->data(0, kKindRole).toInt()] = topLevelItem(i)->isExpanded();
-        }
+        rememberExpanded();
     }
     const bool ends = text.isEmpty() && !filter_.isEmpty();
     filter_ = text;
     applyFilter();
     if (ends) {
-        for (int i = 0; i < topLevelItemCount(); ++i) {
-            const int kind = topLevelItem(i)->data(0, kKindRole).toInt();
-            const auto known = expanded_.find(kind);
-            topLevelItem(i)->setExpanded(known == expanded_.end()
-                                             ? opensAtFirst(static_cast<ElementKind>(kind))
-                                             : known->second);
-        }
+        restoreExpanded();
         scrollToItem(currentItem());
     }
 }
 
 void PartsTree::applyFilter() {
+    const auto matches = [this](const QTreeWidgetItem* item) {
+        return item->text(0).contains(filter_, Qt::CaseInsensitive);
+    };
     std::set<QTreeWidgetItem*> matching;
     for (const auto& [element, item] : items_) {
-        const bool shown = item->text(0).contains(filter_, Qt::CaseInsensitive);
+        // A body is found by the names of its shapes, too, and brings all of them by its own.
+        bool shapes = false;
+        for (int k = 0; k < item->childCount(); ++k) {
+            shapes = shapes || matches(item->child(k));
+        }
+        const bool shown =
+            shapes || matches(item) || (element.isShape() && matches(item->parent()));
         item->setHidden(!shown);
         if (shown) {
             matching.insert(item->parent());
+        }
+        if (!filter_.isEmpty() && item->childCount() > 0) {
+            item->setExpanded(shapes);
         }
     }
     for (int i = 0; i < topLevelItemCount(); ++i) {
@@ -292,12 +394,18 @@ void PartsTree::toggle(ElementRef element) {
     if (found == items_.end()) {
         return;
     }
-    found->second->parent()->setExpanded(true);
+    reveal(found->second);
     refreshing_ = true;
     setCurrentItem(found->second, 0, QItemSelectionModel::Toggle | QItemSelectionModel::Rows);
     scrollToItem(found->second);
     refreshing_ = false;
     emit selectionMoved();
+}
+
+void PartsTree::reveal(QTreeWidgetItem* item) {
+    for (QTreeWidgetItem* above = item->parent(); above != nullptr; above = above->parent()) {
+        above->setExpanded(true);
+    }
 }
 
 ElementRef PartsTree::selected() const {
@@ -330,9 +438,16 @@ std::vector<ElementRef> PartsTree::selection() const {
 }
 
 QString PartsTree::titleOf(const std::vector<ElementRef>& elements) const {
-    return elements.size() == 1
-               ? QString::fromStdString(nameOf(document_->project(), elements.front()))
-               : tr("%1 parts").arg(elements.size());
+    if (elements.size() > 1) {
+        return tr("%1 parts").arg(elements.size());
+    }
+    const QString label = labelOf(document_->project(), elements.front());
+    return elements.front().isShape()
+               //: A shape of a body: "box 2 of chassis".
+               ? tr("%1 of %2", "shape")
+                     .arg(inSentence(label),
+                          QString::fromStdString(nameOf(document_->project(), elements.front())))
+               : label;
 }
 
 bool PartsTree::apply(const QString& text, const simcore::Result<Project>& next) {
@@ -353,7 +468,7 @@ void PartsTree::selectThese(const std::vector<ElementRef>& elements) {
     clearSelection();
     for (const ElementRef element : elements) {
         if (const auto found = items_.find(element); found != items_.end()) {
-            found->second->parent()->setExpanded(true);
+            reveal(found->second);
             found->second->setSelected(true);
         }
     }
@@ -392,6 +507,36 @@ void PartsTree::add(ElementKind kind) {
     }
 }
 
+int PartsTree::currentBody() const {
+    const ElementRef current = selected();
+    if (current.index < 0) {
+        return -1;
+    }
+    const Project& project = document_->project();
+    const auto at = static_cast<std::size_t>(current.index);
+    const auto named = [&](const std::string& body) {
+        return simcore::project::findElement(project, "body " + body).index;
+    };
+    switch (current.kind) {
+        case ElementKind::Body:
+            return current.index;
+        case ElementKind::Wheel:
+            return named(project.rover.wheels[at].body);
+        case ElementKind::Payload:
+            return named(project.rover.payloads[at].body);
+        default:
+            return -1;
+    }
+}
+
+void PartsTree::addShape(ShapeKind kind) {
+    const Project before = document_->project();
+    if (apply(tr("Add %1").arg(inSentence(kindTitle(kind))),
+              withNewShape(before, currentBody(), kind))) {
+        selectAppended(before);
+    }
+}
+
 void PartsTree::deleteSelected() {
     const std::vector<ElementRef> elements = selection();
     if (!elements.empty()) {
@@ -408,14 +553,16 @@ void PartsTree::duplicateSelected() {
     const QString text = tr("Duplicate %1").arg(titleOf(elements));
     if (elements.size() > 1) {
         // Copies refer to each other as the originals do.
-        if (apply(text, withParts(before, partsOf(before, elements)))) {
+        if (apply(text, duplicated(before, elements))) {
             selectAppended(before);
         }
         return;
     }
     const ElementRef element = elements.front();
     if (apply(text, duplicated(before, element))) {
-        selectAppended(before, {element.kind, element.index + 1});
+        ElementRef copy = element;
+        (copy.isShape() ? copy.shape : copy.index)++;
+        selectAppended(before, copy);
     }
 }
 
@@ -440,14 +587,15 @@ void PartsTree::cutSelected() {
 
 void PartsTree::paste() {
     const Project before = document_->project();
-    const auto next = clipboard::pasted(before);
+    const auto next = clipboard::pasted(before, currentBody());
     if (!next) {
         apply({}, next);
         return;
     }
     const auto fresh = appended(before, *next);
-    const QString what = fresh.size() == 1 ? QString::fromStdString(nameOf(*next, fresh.front()))
-                                           : tr("%1 parts").arg(fresh.size());
+    const QString what = fresh.size() != 1         ? tr("%1 parts").arg(fresh.size())
+                         : fresh.front().isShape() ? inSentence(labelOf(*next, fresh.front()))
+                                                   : labelOf(*next, fresh.front());
     if (apply(tr("Paste %1").arg(what), next)) {
         selectAppended(before);
     }
@@ -514,11 +662,38 @@ void PartsTree::moveTo(const std::vector<ElementRef>& elements, int place) {
     }
 }
 
+void PartsTree::moveShapesTo(const std::vector<ElementRef>& shapes, int body, int place) {
+    const QString text = tr("Move %1").arg(titleOf(shapes));
+    if (!apply(text, withShapesMoved(document_->project(), shapes, body, place))) {
+        return;
+    }
+    const auto before = std::count_if(shapes.begin(), shapes.end(), [&](ElementRef shape) {
+        return shape.index == body && shape.shape < place;
+    });
+    std::vector<ElementRef> now;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        now.push_back(
+            {ElementKind::Body, body, place - static_cast<int>(before) + static_cast<int>(i)});
+    }
+    selectThese(now);
+    emit elementSelected(now.front());
+}
+
 void PartsTree::moveSelected(int by) {
     const ElementRef current = selected();
     std::vector<ElementRef> elements = selection();
-    std::erase_if(elements, [&](ElementRef one) { return one.kind != current.kind; });
+    std::erase_if(elements, [&](ElementRef one) {
+        return one.kind != current.kind || one.isShape() != current.isShape() ||
+               (current.isShape() && one.index != current.index);
+    });
     if (elements.empty()) {
+        return;
+    }
+    if (current.isShape()) {
+        const int place = by < 0 ? elements.front().shape - 1 : elements.back().shape + 2;
+        if (place >= 0 && place <= shapeCountOf(document_->project(), current.index)) {
+            moveShapesTo(elements, current.index, place);
+        }
         return;
     }
     const int place = by < 0 ? elements.front().index - 1 : elements.back().index + 2;
@@ -527,30 +702,37 @@ void PartsTree::moveSelected(int by) {
     }
 }
 
-int PartsTree::dropPlace(QDropEvent* event) const {
+ElementRef PartsTree::dropPlace(QDropEvent* event) const {
     const std::vector<ElementRef> elements = selection();
     const QTreeWidgetItem* target = itemAt(event->position().toPoint());
     if (elements.empty() || event->source() != this || target == nullptr) {
-        return -1;
-    }
-    const auto kind = static_cast<ElementKind>(target->data(0, kKindRole).toInt());
-    for (const ElementRef element : elements) {
-        if (element.kind != kind) {
-            return -1;
-        }
+        return {};
     }
     const ElementRef over = elementOf(target);
-    if (over.index < 0) {
-        return 0;  // the title of the group: to its beginning
+    const bool shapes = elements.front().isShape();
+    for (const ElementRef element : elements) {
+        if (element.kind != over.kind || element.isShape() != shapes) {
+            return {};
+        }
     }
-    const QRect row = visualItemRect(target);
-    return over.index + (event->position().y() > row.center().y() ? 1 : 0);
+    const int below = event->position().y() > visualItemRect(target).center().y() ? 1 : 0;
+    if (shapes) {
+        return over.index < 0   ? ElementRef{}
+               : over.isShape() ? ElementRef{over.kind, over.index, over.shape + below}
+                                // The body itself: behind its last one.
+                                : ElementRef{over.kind, over.index,
+                                             shapeCountOf(document_->project(), over.index)};
+    }
+    if (over.index < 0) {
+        return {over.kind, 0};  // the title of the group: to its beginning
+    }
+    return {over.kind, over.index + (over.isShape() ? 1 : below)};
 }
 
 void PartsTree::dragMoveEvent(QDragMoveEvent* event) {
     QTreeWidget::dragMoveEvent(event);  // scrolls, and shows where
     event->setDropAction(Qt::MoveAction);
-    dropPlace(event) < 0 ? event->ignore() : event->accept();
+    dropPlace(event).index < 0 ? event->ignore() : event->accept();
 }
 
 void PartsTree::startDrag(Qt::DropActions /*actions*/) {
@@ -561,19 +743,25 @@ void PartsTree::startDrag(Qt::DropActions /*actions*/) {
 }
 
 void PartsTree::dropEvent(QDropEvent* event) {
-    const int place = dropPlace(event);
-    if (place < 0) {
+    const ElementRef place = dropPlace(event);
+    if (place.index < 0) {
         event->ignore();
         return;
     }
     event->accept();
-    moveTo(selection(), place);
+    if (place.isShape()) {
+        moveShapesTo(selection(), place.index, place.shape);
+    } else {
+        moveTo(selection(), place.index);
+    }
     setState(QAbstractItemView::NoState);
     viewport()->update();
 }
 
 void PartsTree::renameSelected() {
-    if (selected().index >= 0) {
+    if (selected().isShape()) {
+        emit message(tr("A shape has no name."));
+    } else if (selected().index >= 0) {
         setFocus();
         editItem(currentItem(), 0);
     }

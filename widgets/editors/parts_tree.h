@@ -11,9 +11,15 @@ namespace widgets {
 
 /// Name of a kind of element, "Body", for menus and titles.
 QString kindTitle(simcore::project::ElementKind kind);
+/// "Box".
+QString kindTitle(simcore::project::ShapeKind kind);
 
-/// All elements of the project by kind, with a short detail each; several can be selected. Adds,
-/// deletes, copies, mirrors and renames them; dragging moves them within their kind.
+/// Its name; of a shape, which has none, kind and place among those of its body: "Box 2".
+QString labelOf(const simcore::project::Project& project, simcore::project::ElementRef element);
+
+/// All elements of the project by kind, shapes below their bodies, with a short detail each;
+/// several can be selected. Adds, deletes, copies, mirrors and renames them; dragging moves
+/// elements within their kind and shapes from body to body.
 class PartsTree : public QTreeWidget {
     Q_OBJECT
   public:
@@ -38,6 +44,8 @@ class PartsTree : public QTreeWidget {
 
   public slots:
     void add(simcore::project::ElementKind kind);
+    /// To the body that is current, or whose shape, wheel or payload is.
+    void addShape(simcore::project::ShapeKind kind);
     void deleteSelected();
     void duplicateSelected();
     void cutSelected();
@@ -72,22 +80,33 @@ class PartsTree : public QTreeWidget {
     void rebuild();
     void rename(QTreeWidgetItem* item);
     QString detail(simcore::project::ElementRef element) const;
-    /// "fork_a", or "3 parts".
+    QString shapeDetail(const simcore::project::Shape& shape) const;
+    QString shown(const simcore::project::Quantity& quantity, const char* unit) const;
+    /// Where shapes go that are added or pasted; -1 = nothing of a body is current.
+    int currentBody() const;
+    /// Opens what the item is in.
+    static void reveal(QTreeWidgetItem* item);
+    QTreeWidgetItem* addItem(QTreeWidgetItem* parent, simcore::project::ElementRef element);
+    void rememberExpanded();
+    void restoreExpanded();
+    /// "fork_a", "box 1 of fork_a", or "3 parts".
     QString titleOf(const std::vector<simcore::project::ElementRef>& elements) const;
     /// Makes it the project, or says why not.
     bool apply(const QString& text, const simcore::Result<simcore::project::Project>& next);
     void selectThese(const std::vector<simcore::project::ElementRef>& elements);
     void selectAppended(const simcore::project::Project& before,
                         simcore::project::ElementRef current = {});
-    /// Where a drop would put what is dragged; -1 = nowhere.
-    int dropPlace(QDropEvent* event) const;
+    /// What a drop would put what is dragged before; index -1 = it cannot be dropped.
+    simcore::project::ElementRef dropPlace(QDropEvent* event) const;
     /// The elements, of one kind, before what is now at `place` of their list.
     void moveTo(const std::vector<simcore::project::ElementRef>& elements, int place);
+    /// Shapes of any bodies, before what is now at `place` of the body's list.
+    void moveShapesTo(const std::vector<simcore::project::ElementRef>& shapes, int body, int place);
     void applyFilter();
 
     Document* document_;
     std::map<simcore::project::ElementRef, QTreeWidgetItem*> items_;
-    std::map<int, bool> expanded_;  ///< of the groups, while a filter opens them all
+    std::map<QString, bool> expanded_;  ///< groups and bodies, while a filter opens them
     std::vector<QAction*> menuActions_;
     QString filter_;
     bool refreshing_ = false;

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -15,6 +16,7 @@
 #include "simcore/project/fields.h"
 #include "simcore/project/names.h"
 #include "widgets/editors/field_info.h"
+#include "widgets/editors/parts_tree.h"
 #include "widgets/editors/quantity_field.h"
 
 namespace widgets {
@@ -83,6 +85,12 @@ class PropertyFormBuilder {
         : panel_(panel),
           document_(panel->document_),
           form_(form) {}
+
+    void heading(const QString& text) {
+        auto* label = new QLabel("<b>" + text.toHtmlEscaped() + "</b>");
+        label->setContentsMargins(0, 8, 0, 0);
+        form_->addRow(label);
+    }
 
     template <class Element>
     void build(Access<Element> access) {
@@ -450,9 +458,10 @@ class PropertyFormBuilder {
     }
 
     template <class Enum, std::enable_if_t<std::is_enum_v<Enum>, int> = 0>
-    void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
+    void row(const QString& /*word*/, const char* key, const FieldInfo& info,
              const Access<Enum>& field) {
         auto* box = new Unwheeled<QComboBox>;
+        box->setObjectName(QString("property:") + key);
         for (const std::string& name : simcore::project::allNames<Enum>()) {
             box->addItem(QString::fromStdString(name));
         }
@@ -521,50 +530,57 @@ class PropertyFormBuilder {
             });
     }
 
+    /// Shapes of a body have properties of their own: a button for each leads to them.
+    void row(const QString& /*word*/, const char* /*key*/, const FieldInfo& info,
+             const Access<std::vector<simcore::project::Shape>>& field) {
+        heading(info.label);
+        PropertyPanel* panel = panel_;
+        for (std::size_t i = 0; i < read(field).size(); ++i) {
+            ElementRef shape = panel_->element_;
+            shape.shape = static_cast<int>(i);
+            auto* button = new QPushButton(labelOf(document_->project(), shape));
+            button->setObjectName(QString("shape:%1").arg(i));
+            button->setAccessibleName(button->text());
+            button->setToolTip(PropertyPanel::tr("Edit this shape"));
+            form_->addRow(button);
+            QObject::connect(button, &QPushButton::clicked, panel,
+                             [panel, shape] { emit panel->chosen(shape); });
+        }
+        auto* add = new QPushButton(PropertyPanel::tr("Add"));
+        add->setObjectName("add:shapes");
+        add->setAccessibleName(PropertyPanel::tr("Add to %1").arg(inSentence(info.label)));
+        add->setToolTip(add->accessibleName());
+        auto* menu = new QMenu(add);
+        using simcore::project::ShapeKind;
+        for (const std::string& name : simcore::project::allNames<ShapeKind>()) {
+            const ShapeKind kind = *simcore::project::fromName<ShapeKind>(name);
+            menu->addAction(kindTitle(kind), panel,
+                            [panel, kind] { emit panel->shapeWanted(kind); });
+        }
+        add->setMenu(menu);
+        form_->addRow(add);
+    }
+
     /// A list of parts with fields of their own: a heading and a button to remove for each, one
     /// to add.
     template <class Part, std::enable_if_t<std::is_same_v<Part, simcore::project::Terrain> ||
-                                               std::is_same_v<Part, simcore::project::SoilRegion> ||
-                                               std::is_same_v<Part, simcore::project::Shape>,
+                                               std::is_same_v<Part, simcore::project::SoilRegion>,
                                            int> = 0>
     void row(const QString& /*word*/, const char* key, const FieldInfo& info,
              const Access<std::vector<Part>>& field) {
         for (std::size_t i = 0; i < read(field).size(); ++i) {
             heading(QString("%1: %2").arg(info.label).arg(i + 1));
             build<Part>([field, i](Project& project) -> Part& { return field(project).at(i); });
-            if constexpr (std::is_same_v<Part, simcore::project::Shape>) {
-                listButton(
-                    PropertyPanel::tr("Duplicate"),
-                    PropertyPanel::tr("Duplicate %1 %2").arg(inSentence(info.label)).arg(i + 1),
-                    field, [i](std::vector<Part>& parts) {
-                        parts.insert(parts.begin() + static_cast<std::ptrdiff_t>(i), parts[i]);
-                    });
-            }
             listButton(PropertyPanel::tr("Remove"),
                        PropertyPanel::tr("Remove %1 %2").arg(inSentence(info.label)).arg(i + 1),
                        field, [i](std::vector<Part>& parts) {
                            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(i));
                        });
         }
-        auto* add = listButton(PropertyPanel::tr("Add"),
-                               PropertyPanel::tr("Add to %1").arg(inSentence(info.label)), field,
-                               [](std::vector<Part>& parts) { parts.push_back(firstOf<Part>()); });
+        const QString meaning = PropertyPanel::tr("Add to %1").arg(inSentence(info.label));
+        auto* add = listButton(meaning, meaning, field,
+                               [](std::vector<Part>& parts) { parts.push_back(Part{}); });
         add->setObjectName(QString("add:") + key);
-    }
-
-    /// What an added part starts with: something to see.
-    template <class Part>
-    static Part firstOf() {
-        Part part{};
-        if constexpr (std::is_same_v<Part, simcore::project::Shape>) {
-            part.center = {0.0, 0.0, 0.2};
-            part.size = {0.1, 0.1, 0.1};
-            part.from = {-0.05, 0.0, 0.2};
-            part.to = {0.05, 0.0, 0.2};
-            part.radius = part.width = part.height = 0.02;
-            part.color = "link";
-        }
-        return part;
     }
 
     template <class Part, class Change>
@@ -591,12 +607,6 @@ class PropertyFormBuilder {
         build<Part>(field);
     }
 
-    void heading(const QString& text) {
-        auto* label = new QLabel("<b>" + text.toHtmlEscaped() + "</b>");
-        label->setContentsMargins(0, 8, 0, 0);
-        form_->addRow(label);
-    }
-
     PropertyPanel* panel_;
     Document* document_;
     QFormLayout* form_;
@@ -604,7 +614,16 @@ class PropertyFormBuilder {
 
 namespace {
 
-void buildForm(PropertyFormBuilder& builder, ElementRef element) {
+void buildForm(PropertyFormBuilder& builder, const Project& project, ElementRef element) {
+    if (element.isShape()) {
+        builder.heading(
+            PropertyPanel::tr("%1 of %2", "shape")
+                .arg(labelOf(project, element), QString::fromStdString(nameOf(project, element))));
+        return builder.build<simcore::project::Shape>([element](Project & p) -> auto& {
+            return p.rover.bodies.at(static_cast<std::size_t>(element.index))
+                .shapes.at(static_cast<std::size_t>(element.shape));
+        });
+    }
     const auto at = static_cast<std::size_t>(element.index);
     switch (element.kind) {
         case ElementKind::Parameter:
@@ -653,6 +672,12 @@ std::string shapeOf(const Project& project, ElementRef element) {
     }
     const auto at = static_cast<std::size_t>(element.index);
     std::string shape = wordFor(element.kind) + std::to_string(element.index);
+    if (element.isShape()) {
+        return element.shape < shapeCountOf(project, element.index)
+                   ? shape + '+' + nameOf(shapeAt(project, element).kind) +
+                         std::to_string(element.shape) + nameOf(project, element)
+                   : std::string();
+    }
     switch (element.kind) {
         case ElementKind::Parameter:
             return shape + project.rover.parameters[at].unit;
@@ -719,7 +744,7 @@ void PropertyPanel::rebuild() {
         form->setHorizontalSpacing(8);
         form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
         PropertyFormBuilder builder(this, form);
-        buildForm(builder, element_);
+        buildForm(builder, document_->project(), element_);
     }
     // The form may be rebuilt from a signal of one of its own editors.
     if (QWidget* old = takeWidget()) {

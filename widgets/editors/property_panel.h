@@ -27,6 +27,10 @@ class PropertyPanel : public QScrollArea {
   signals:
     /// An element got another name.
     void renamed(simcore::project::ElementRef element);
+    /// An element beside the one shown is asked for.
+    void chosen(simcore::project::ElementRef element);
+    /// Another shape of the shown body is asked for.
+    void shapeWanted(simcore::project::ShapeKind kind);
     /// A value was refused; "" when that is over.
     void refused(const QString& why);
 

@@ -127,8 +127,8 @@ void MassPanel::showBodies() {
     }
     while (bodies_->topLevelItemCount() < count) {
         auto* item = new QTreeWidgetItem(bodies_);
-        item->setTextAlignment(1, Qt::AlignRight);
-        item->setTextAlignment(2, Qt::AlignRight);
+        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
     }
     const double total = mechanism.mass();
     for (int i = 0; i < count; ++i) {

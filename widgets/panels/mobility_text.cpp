@@ -28,7 +28,8 @@ QString mobilityVerdict(const simcore::mobility::Report& report) {
         text << MobilityPanel::tr("Statically determinate: every reaction follows from the loads.");
     }
     if (report.gruebler != report.mobility) {
-        text << MobilityPanel::tr("The Grübler count (%1) cannot see this.").arg(report.gruebler);
+        text << MobilityPanel::tr("The Grübler count (%1) cannot see this.")
+                    .arg(QString::number(report.gruebler).replace('-', QChar(0x2212)));
     }
     if (report.idle.size() == 1) {
         text << MobilityPanel::tr("1 of the freedoms is idle: neither chassis nor wheels move.");

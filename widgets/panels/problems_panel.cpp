@@ -1,5 +1,6 @@
 #include "widgets/panels/problems_panel.h"
 
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
@@ -194,8 +195,13 @@ void ProblemsPanel::addButton(QTreeWidgetItem* item, const QString& kind, const 
     auto* button = new QPushButton(label);
     button->setObjectName("fix:" + kind);
     button->setAccessibleName(tr("Fix %1: %2").arg(item->text(0), label));
-    button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    list_->setItemWidget(row, 0, button);
+    // As wide as its text: the view would stretch it over the whole row.
+    auto* place = new QWidget;
+    auto* layout = new QHBoxLayout(place);
+    layout->setContentsMargins(0, 2, 8, 4);
+    layout->addWidget(button);
+    layout->addStretch();
+    list_->setItemWidget(row, 0, place);
     // Later: an edit fills the list anew, and the button with it.
     connect(button, &QPushButton::clicked, this, act, Qt::QueuedConnection);
 }

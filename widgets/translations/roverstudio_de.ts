@@ -2686,6 +2686,14 @@
         <source>&amp;Next step of the tour</source>
         <translation>&amp;Nächster Schritt des Rundgangs</translation>
     </message>
+    <message>
+        <source>Add to the selected body: %1</source>
+        <translation>Zum gewählten Körper hinzufügen: %1</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MassPanel</name>
@@ -3408,6 +3416,38 @@ Sie stehen unter Probleme.</translation>
         <source>The first body is the chassis: that is %1 now.</source>
         <translation>Der erste Körper ist das Chassis: jetzt ist das %1.</translation>
     </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Bar</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>shape</comment>
+        <extracomment>Kind of a shape and its place among those of the body: &quot;Box 2&quot;.</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>shape</comment>
+        <extracomment>A shape of a body: &quot;box 2 of chassis&quot;.</extracomment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>A shape has no name.</source>
+        <translation>Eine Form hat keinen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::PlotPanel</name>
@@ -3656,14 +3696,6 @@ Hier erscheint die Kurve jedes Rades</translation>
         <translation>Weiteren Parameter setzen ...</translation>
     </message>
     <message>
-        <source>Duplicate</source>
-        <translation>Duplizieren</translation>
-    </message>
-    <message>
-        <source>Duplicate %1 %2</source>
-        <translation>%1 %2 duplizieren</translation>
-    </message>
-    <message>
         <source>Remove %1 %2</source>
         <translation>%1 %2 entfernen</translation>
     </message>
@@ -3684,6 +3716,15 @@ Hier erscheint die Kurve jedes Rades</translation>
 or in the 3D view to edit it.</source>
         <translation>Zum Bearbeiten ein Teil im Baum
 oder in der 3-D-Ansicht auswählen.</translation>
+    </message>
+    <message>
+        <source>Edit this shape</source>
+        <translation>Diese Form bearbeiten</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>shape</comment>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>

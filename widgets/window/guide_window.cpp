@@ -9,12 +9,13 @@
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLineEdit>
+#include <QResizeEvent>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QSplitter>
-#include <QStyle>
 #include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextCursor>
 #include <QTextFrame>
 #include <QTextTable>
 #include <QToolButton>
@@ -23,6 +24,7 @@
 #include <algorithm>
 
 #include "simcore/io/project_file.h"
+#include "widgets/window/icons.h"
 
 namespace widgets {
 namespace {
@@ -74,25 +76,50 @@ class GuideBrowser : public QTextBrowser {
         page_->setDefaultFont(font());
         page_->setMarkdown(text);
         dress(*page_);
+        fitPictures();
         setDocument(page_);
         delete old;
     }
 
-    QVariant loadResource(int type, const QUrl& name) override {
-        if (type != QTextDocument::ImageResource) {
-            return QTextBrowser::loadResource(type, name);
+  protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QTextBrowser::resizeEvent(event);
+        if (page_ != nullptr && event->size().width() != event->oldSize().width()) {
+            fitPictures();
         }
-        QImage image(folder_ + "/" + name.path());
-        const int width = std::max(200, viewport()->width() - kAside);
-        if (image.width() > width * devicePixelRatio()) {
-            image = image.scaledToWidth(static_cast<int>(width * devicePixelRatio()),
-                                        Qt::SmoothTransformation);
-            image.setDevicePixelRatio(devicePixelRatio());
-        }
-        return image;
     }
 
   private:
+    /// Scaled here: the page itself scales roughly, and takes pixels of a fine screen for points.
+    void fitPictures() {
+        const int room = std::max(200, viewport()->width() - kAside);
+        for (QTextBlock block = page_->begin(); block.isValid(); block = block.next()) {
+            for (auto it = block.begin(); !it.atEnd(); ++it) {
+                QTextImageFormat format = it.fragment().charFormat().toImageFormat();
+                if (!format.isValid()) {
+                    continue;
+                }
+                const QImage image(folder_ + "/" + format.name());
+                const int width = std::min(room, image.width());
+                if (image.isNull() || format.width() == width) {
+                    continue;
+                }
+                const int pixels =
+                    std::min(image.width(), static_cast<int>(width * devicePixelRatio()));
+                page_->addResource(QTextDocument::ImageResource, QUrl(format.name()),
+                                   image.scaledToWidth(pixels, Qt::SmoothTransformation));
+                format.setWidth(width);
+                format.setHeight(static_cast<double>(width) * image.height() / image.width());
+                QTextCursor cursor(page_);
+                cursor.setPosition(it.fragment().position());
+                cursor.setPosition(it.fragment().position() + it.fragment().length(),
+                                   QTextCursor::KeepAnchor);
+                cursor.setCharFormat(format);
+                break;  // the block's fragments are others now; pictures stand alone
+            }
+        }
+    }
+
     /// Tables with lines and room, headings and lines with some air.
     void dress(QTextDocument& page) const {
         const QColor line = palette().color(QPalette::Mid);
@@ -162,11 +189,10 @@ GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent) {
     search_->setAccessibleName(tr("Search the guide"));
     search_->setPlaceholderText(tr("Search the guide"));
     search_->setClearButtonEnabled(true);
-    const auto button = [this](const char* name, const QString& text, QStyle::StandardPixmap icon,
-                               const QKeySequence& key, void (GuideWindow::*slot)()) {
+    const auto button = [this](const char* name, const QString& text, const QKeySequence& key,
+                               void (GuideWindow::*slot)()) {
         auto* one = new QToolButton;
         one->setObjectName(name);
-        one->setIcon(style()->standardIcon(icon));
         one->setAccessibleName(text);
         one->setToolTip(text + " (" + key.toString(QKeySequence::NativeText) + ")");
         one->setAutoRaise(true);
@@ -174,12 +200,12 @@ GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent) {
         connect(new QShortcut(key, this), &QShortcut::activated, this, slot);
         return one;
     };
-    back_ = button("guideBack", tr("Back"), QStyle::SP_ArrowBack, QKeySequence("Alt+Left"),
-                   &GuideWindow::goBack);
-    forward_ = button("guideForward", tr("Forward"), QStyle::SP_ArrowForward,
-                      QKeySequence("Alt+Right"), &GuideWindow::goForward);
+    back_ = button("guideBack", tr("Back"), QKeySequence("Alt+Left"), &GuideWindow::goBack);
+    forward_ =
+        button("guideForward", tr("Forward"), QKeySequence("Alt+Right"), &GuideWindow::goForward);
+    drawIcons();
     auto* bar = new QHBoxLayout;
-    bar->setContentsMargins(6, 6, 6, 0);
+    bar->setContentsMargins(6, 6, 6, 6);
     bar->addWidget(back_);
     bar->addWidget(forward_);
     bar->addWidget(search_, 1);
@@ -363,8 +389,16 @@ bool GuideWindow::findNext(const QString& text) {
     return false;
 }
 
+void GuideWindow::drawIcons() {
+    back_->setIcon(lineIcon(Icon::Back, palette()));
+    forward_->setIcon(lineIcon(Icon::Forward, palette()));
+}
+
 void GuideWindow::changeEvent(QEvent* event) {
     QDialog::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && forward_ != nullptr) {
+        drawIcons();
+    }
     if ((event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) &&
         text_ != nullptr && !page_.isEmpty()) {
         const int value = text_->verticalScrollBar()->value();

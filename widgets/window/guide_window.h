@@ -57,6 +57,7 @@ class GuideWindow : public QDialog {
     void scrollTo(const QString& heading);
     void follow(const QUrl& link);
     void updateButtons();
+    void drawIcons();
 
     QStringList pages_;
     QString page_;

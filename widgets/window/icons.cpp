@@ -19,6 +19,12 @@ void drawTurnBack(QPainter& painter) {
     painter.drawPolyline(QPolygonF{{{9.5, 4.5}, {5, 9}, {9.5, 13.5}}});
 }
 
+/// An arrow to the left.
+void drawBack(QPainter& painter) {
+    painter.drawLine(QPointF(20, 12), QPointF(4.5, 12));
+    painter.drawPolyline(QPolygonF{{{11, 5.5}, {4.5, 12}, {11, 18.5}}});
+}
+
 void draw(Icon icon, QPainter& painter) {
     switch (icon) {
         case Icon::New:
@@ -36,6 +42,14 @@ void draw(Icon icon, QPainter& painter) {
             break;
         case Icon::Undo:
             drawTurnBack(painter);
+            break;
+        case Icon::Back:
+            drawBack(painter);
+            break;
+        case Icon::Forward:
+            painter.translate(24, 0);
+            painter.scale(-1, 1);
+            drawBack(painter);
             break;
         case Icon::Redo:
             painter.translate(24, 0);

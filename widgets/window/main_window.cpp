@@ -321,6 +321,8 @@ void MainWindow::connectParts() {
     connect(tree_, &PartsTree::refused, this, &MainWindow::tell);
     connect(tree_, &PartsTree::message, this, &MainWindow::tell);
     connect(properties_, &PropertyPanel::refused, this, &MainWindow::tell);
+    connect(properties_, &PropertyPanel::chosen, this, &MainWindow::selectElement);
+    connect(properties_, &PropertyPanel::shapeWanted, tree_, &PartsTree::addShape);
     connect(problems_, &ProblemsPanel::elementChosen, this, &MainWindow::selectElement);
     connect(problems_, &ProblemsPanel::adviceRequested, actions_->at("advise"), &QAction::trigger);
     connect(problems_, &ProblemsPanel::countChanged, this, &MainWindow::updateStatus);

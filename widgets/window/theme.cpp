@@ -62,11 +62,50 @@ QPalette paletteOf(const Colors& c) {
     return palette;
 }
 
-/// Fusion with boxes to tick that can be seen on a dark ground: its own are outlined in a darker
-/// tone than the window's.
-class VisibleBoxes : public QProxyStyle {
+/// Fusion with boxes to tick that can be seen on a dark ground (its own are outlined in a darker
+/// tone than the window's), buttons of dialogs that are alike, narrower tabs,
+/// and flat tool bars.
+class StudioStyle : public QProxyStyle {
   public:
-    VisibleBoxes() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+    StudioStyle() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* returned) const override {
+        // Only some of a dialog's buttons have a picture.
+        return hint == SH_DialogButtonBox_ButtonsHaveIcons
+                   ? 0
+                   : QProxyStyle::styleHint(hint, option, widget, returned);
+    }
+
+    QRect subElementRect(SubElement element, const QStyleOption* option,
+                         const QWidget* widget) const override {
+        // Of the whole item: beside a picture it would tint the text's half only.
+        return element == SE_ItemViewItemFocusRect
+                   ? option->rect
+                   : QProxyStyle::subElementRect(element, option, widget);
+    }
+
+    void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+        if (element != CE_ToolBar) {
+            QProxyStyle::drawControl(element, option, painter, widget);
+            return;
+        }
+        // Without the white edge that is to look like light from above: it glares on a dark ground.
+        painter->fillRect(option->rect, option->palette.window());
+        QColor edge = option->palette.color(QPalette::WindowText);
+        edge.setAlphaF(0.15F);
+        const QRect rect = option->rect;
+        painter->fillRect(QRect(rect.left(), rect.bottom(), rect.width(), 1), edge);
+    }
+
+    int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                    const QWidget* widget) const override {
+        // With all panels open their titles fit side by side on a small screen.
+        constexpr int kTabSpace = 14;
+        return metric == PM_TabBarTabHSpace ? kTabSpace
+                                            : QProxyStyle::pixelMetric(metric, option, widget);
+    }
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
@@ -113,7 +152,7 @@ class VisibleBoxes : public QProxyStyle {
 
 void applyTheme(QApplication& application, Theme theme) {
     const Colors c = colorsOf(theme);
-    application.setStyle(new VisibleBoxes);
+    application.setStyle(new StudioStyle);
     application.setPalette(paletteOf(c));
     application.setStyleSheet(
         QString("QLabel#headline, QLabel#staticsVerdict, QLabel#compareVerdict, "

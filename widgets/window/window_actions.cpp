@@ -10,6 +10,7 @@
 #include <QSettings>
 
 #include "simcore/io/project_file.h"
+#include "simcore/project/names.h"
 #include "widgets/editors/field_info.h"
 #include "widgets/editors/parts_panel.h"
 #include "widgets/editors/parts_tree.h"
@@ -31,6 +32,7 @@
 namespace widgets {
 
 using simcore::project::ElementKind;
+using simcore::project::ShapeKind;
 
 namespace {
 
@@ -39,6 +41,21 @@ QString addActionName(ElementKind kind) {
     QString word = QString::fromStdString(wordFor(kind));
     word[0] = word[0].toUpper();
     return "add" + word;
+}
+
+QString addActionName(ShapeKind kind) {
+    QString word = QString::fromStdString(nameOf(kind));
+    word[0] = word[0].toUpper();
+    return "addShape" + word;
+}
+
+/// All of them, in the order of the file format's table.
+std::vector<ShapeKind> allShapeKinds() {
+    std::vector<ShapeKind> kinds;
+    for (const std::string& name : simcore::project::allNames<ShapeKind>()) {
+        kinds.push_back(*simcore::project::fromName<ShapeKind>(name));
+    }
+    return kinds;
 }
 
 }  // namespace
@@ -168,12 +185,26 @@ void MainWindow::makePartActions() {
                           tree_->add(kind);
                       });
     }
+    for (const ShapeKind kind : allShapeKinds()) {
+        const QString title = kindTitle(kind);
+        actions_->add(addActionName(kind), title, {},
+                      tr("Add to the selected body: %1").arg(inSentence(title)), [this, kind] {
+                          showPanel("rover");
+                          tree_->addShape(kind);
+                      });
+    }
 }
 
 QMenu* MainWindow::makeAddMenu() {
     auto* menu = new QMenu(tr("&Add part"), this);
     for (const ElementKind kind : simcore::project::allElementKinds()) {
         menu->addAction(actions_->at(addActionName(kind)));
+        if (kind == ElementKind::Body) {
+            QMenu* shapes = menu->addMenu(tr("Shape"));
+            for (const ShapeKind shape : allShapeKinds()) {
+                shapes->addAction(actions_->at(addActionName(shape)));
+            }
+        }
         // The rover's parts in between, what it is tried with behind them.
         if (kind == ElementKind::Parameter || kind == ElementKind::Payload) {
             menu->addSeparator();

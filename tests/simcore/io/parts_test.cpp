@@ -138,3 +138,27 @@ TEST(ClipboardTest, ForeignTextIsRefusedInWords) {
 TEST(ClipboardTest, NothingCannotBePasted) {
     EXPECT_FALSE(withParts(cart(), Parts{}));
 }
+
+TEST(ClipboardTest, ShapesGoIntoTheChosenBodyWithTheParametersTheyNeed) {
+    const Project project = shipped("rocker_bogie");
+    const ElementRef chassis{ElementKind::Body, 0};
+    const int count = shapeCountOf(project, 0);
+    ASSERT_GT(count, 1);
+    const Parts parts = partsOf(project, {{ElementKind::Body, 0, 0}, {ElementKind::Body, 0, 1}});
+    EXPECT_EQ(parts.shapes.size(), 2U);
+    EXPECT_TRUE(parts.elements.rover.bodies.empty());
+    // With their body they need no place of their own.
+    EXPECT_TRUE(partsOf(project, {chassis, {ElementKind::Body, 0, 0}}).shapes.empty());
+    const auto read = io::parseParts(io::formatParts(parts));
+    ASSERT_TRUE(read) << toString(read.problems());
+    EXPECT_EQ(*read, parts);
+    EXPECT_FALSE(withParts(project, *read));  // into which body?
+    const auto next = withParts(project, *read, 0);
+    ASSERT_TRUE(next);
+    EXPECT_EQ(shapeCountOf(*next, 0), count + 2);
+    const auto fresh = appended(project, *next);
+    EXPECT_THAT(fresh, ElementsAre(ElementRef{ElementKind::Body, 0, count},
+                                   ElementRef{ElementKind::Body, 0, count + 1}));
+    EXPECT_EQ(shapeAt(*next, fresh.front()), shapeAt(project, {ElementKind::Body, 0, 0}));
+    EXPECT_FALSE(hasCritical(validate(*next))) << toString(validate(*next));
+}

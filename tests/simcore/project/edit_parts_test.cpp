@@ -7,6 +7,7 @@
 
 #include "simcore/mobility/mobility.h"
 #include "simcore/project/edit.h"
+#include "simcore/project/names.h"
 #include "simcore/run/simulation.h"
 #include "tests/support/projects.h"
 
@@ -328,4 +329,96 @@ TEST(AddPartsTest, LooseBodyGetsTheNextJointAndThenTheNextWheel) {
     EXPECT_EQ(project.rover.bodies.size(), 2U);
     EXPECT_EQ(project.rover.wheels.front().body, "body_2");
     EXPECT_EQ(criticals(project), 0U);
+}
+
+namespace {
+
+/// Two bodies with one shape of every kind each, of different sizes.
+Project withShapes() {
+    Project project = shipped("rocker_bogie");
+    for (std::size_t body = 0; body < 2; ++body) {
+        project.rover.bodies[body].shapes.clear();
+        for (const ShapeKind kind :
+             {ShapeKind::Box, ShapeKind::Cylinder, ShapeKind::Sphere, ShapeKind::Bar}) {
+            project = must(withNewShape(project, static_cast<int>(body), kind));
+            project.rover.bodies[body].shapes.back().color = body == 0 ? "accent" : "link";
+        }
+    }
+    return project;
+}
+
+std::string kindsOf(const Project& project, std::size_t body) {
+    std::string kinds;
+    for (const Shape& shape : project.rover.bodies[body].shapes) {
+        kinds += nameOf(shape.kind).substr(0, 2) + (shape.color == "accent" ? "! " : " ");
+    }
+    return kinds;
+}
+
+ElementRef shapeOf(int body, int shape) {
+    return {ElementKind::Body, body, shape};
+}
+
+}  // namespace
+
+TEST(ShapePartsTest, NewOnesAreValidAndAboutTheCentreOfMass) {
+    const Project project = withShapes();
+    EXPECT_EQ(kindsOf(project, 0), "bo! cy! sp! ba! ");
+    EXPECT_EQ(criticals(project), 0U) << toString(run::checkProject(project));
+    const Body& body = project.rover.bodies[1];
+    EXPECT_EQ(body.shapes[0].center, body.com);  // an expression stays one
+    EXPECT_FALSE(withNewShape(project, -1, ShapeKind::Box));
+}
+
+TEST(ShapePartsTest, DeletedDuplicatedAndMovedWithinTheirBody) {
+    const Project before = withShapes();
+    EXPECT_EQ(kindsOf(must(removed(before, shapeOf(0, 1))), 0), "bo! sp! ba! ");
+    // With the body it goes anyhow.
+    const Project both = must(removed(before, {shapeOf(0, 0), shapeOf(0, 3), shapeOf(1, 2)}));
+    EXPECT_EQ(kindsOf(both, 0), "cy! sp! ");
+    EXPECT_EQ(kindsOf(both, 1), "bo cy ba ");
+    EXPECT_EQ(kindsOf(must(duplicated(before, shapeOf(0, 1))), 0), "bo! cy! cy! sp! ba! ");
+    const Project copies = must(duplicated(before, {shapeOf(0, 1), shapeOf(1, 0)}));
+    EXPECT_EQ(kindsOf(copies, 0), "bo! cy! sp! ba! cy! ");
+    EXPECT_EQ(kindsOf(copies, 1), "bo cy sp ba bo ");
+    EXPECT_EQ(appended(before, copies), (std::vector{shapeOf(0, 4), shapeOf(1, 4)}));
+    EXPECT_EQ(kindsOf(must(moved(before, shapeOf(0, 0), 2)), 0), "cy! sp! bo! ba! ");
+    EXPECT_EQ(kindsOf(must(moved(before, shapeOf(0, 3), 0)), 0), "ba! bo! cy! sp! ");
+    EXPECT_FALSE(moved(before, shapeOf(0, 0), 4));
+    EXPECT_FALSE(moved(before, shapeOf(0, 0), -1));
+}
+
+TEST(ShapePartsTest, MoveTogetherIntoAnotherBody) {
+    const Project before = withShapes();
+    const Project next =
+        must(withShapesMoved(before, {shapeOf(0, 2), shapeOf(0, 0), shapeOf(1, 0)}, 1, 2));
+    EXPECT_EQ(kindsOf(next, 0), "cy! ba! ");
+    EXPECT_EQ(kindsOf(next, 1), "cy bo! sp! bo sp ba ");
+    EXPECT_FALSE(withShapesMoved(before, {shapeOf(0, 0)}, 1, 5));
+    EXPECT_FALSE(withShapesMoved(before, {shapeOf(0, 0)}, 999, 0));
+    EXPECT_FALSE(withShapesMoved(before, {{ElementKind::Body, 1}}, 0, 0));
+}
+
+TEST(ShapePartsTest, HaveNoNameNoUsersAndNoMirror) {
+    const Project project = withShapes();
+    EXPECT_FALSE(renamed(project, shapeOf(0, 0), "hull"));
+    EXPECT_FALSE(mirrored(project, {shapeOf(0, 0)}, true));
+    EXPECT_FALSE(split(project, {shapeOf(1, 0)}));  // though its body is a pair
+    EXPECT_TRUE(userElements(project, shapeOf(0, 0)).empty());
+    EXPECT_THROW(nameOf(project, shapeOf(0, 4)), std::invalid_argument);
+}
+
+TEST(ShapePartsTest, ProblemsLeadToTheShape) {
+    Project project = withShapes();
+    project.rover.bodies[1].shapes[2].radius = 0.0;
+    std::vector<std::string> elements;
+    for (const Problem& problem : validate(project)) {
+        if (problem.severity == Severity::Critical) {
+            elements.push_back(problem.element);
+        }
+    }
+    ASSERT_EQ(elements.size(), 2U);  // both sides
+    EXPECT_EQ(elements.front(), "body rocker_left, shape 3");
+    EXPECT_EQ(findElement(project, elements.front()), shapeOf(1, 2));
+    EXPECT_EQ(findElement(project, "body rocker, shape 9"), (ElementRef{ElementKind::Body, 1}));
 }
