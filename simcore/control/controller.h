@@ -58,6 +58,7 @@ struct Intent {
     double commonTorque = kNone;      ///< Mc, of the loop on the body's speed [N m]
     double requiredFriction = kNone;  ///< by the rover's model [-]
     double frictionCap = kNone;       ///< friction that the ground is trusted with [-]
+    bool resting = false;             ///< stuck: wheels gave all that the ground takes, in vain
     std::vector<Wheel> wheels;        ///< mechanism order
 };
 
@@ -87,6 +88,7 @@ class Controller {
   protected:
     /// For update() to fill: nothing is in mind for this many wheels.
     Intent& newIntent(std::size_t wheels) {
+        intent_.resting = false;
         intent_.commonTorque = intent_.requiredFriction = intent_.frictionCap = Intent::kNone;
         intent_.wheels.assign(wheels, {});
         return intent_;

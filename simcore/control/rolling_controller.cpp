@@ -5,6 +5,7 @@
 #include "simcore/control/controller.h"
 #include "simcore/control/heading_hold.h"
 #include "simcore/control/rover_estimate.h"
+#include "simcore/control/stuck_wheels.h"
 #include "simcore/control/wheel_drive.h"
 #include "simcore/dynamics/engine.h"
 #include "simcore/statics/traction.h"
@@ -36,14 +37,12 @@ constexpr double kSmallestRateCap = 0.3;
 // than comes to an edge; and what it is then set to, over what the wheel gave (all assumed, no
 // ground is known).
 constexpr double kFirstFriction = 0.6;
-constexpr double kMostFriction = 0.9;  // when it stalls
 constexpr double kFrictionRecovery = 0.1;
 constexpr double kSlips = 0.3;
 constexpr double kSlipTime = 0.05;
 constexpr double kBelowSlip = 0.8;
-// A rover slower than this share of what is asked, for this time [s], is given all friction again.
-constexpr double kStalled = 0.2;
-constexpr double kStalledTime = 1.0;
+// What counts as rolling of a wheel that climbs, in times v/R (assumed): at a wall it is no number.
+constexpr double kSteepest = 10.0;
 
 class RollingController final : public Controller {
   public:
@@ -53,6 +52,7 @@ class RollingController final : public Controller {
           estimate_(mechanism, settings.period),
           loop_(mechanism, settings),
           heading_(settings.period, mechanism.wheelbase(), TurnedBy::WheelSpeeds),
+          stuck_(wheels_.size(), settings.period),
           brake_(makeSpeedController(mechanism, {})),
           rates_(static_cast<Eigen::Index>(wheels_.size())) {
         for (const mechanism::Wheel& wheel : wheels_) {
@@ -70,10 +70,11 @@ class RollingController final : public Controller {
         optimum_.assign(wheels_.size(), 0.0);
         given_.assign(wheels_.size(), 0.0);
         slipping_.assign(wheels_.size(), 0.0);
+        looks_.assign(wheels_.size(), {});
+        stuck_.reset();
         integral_ = 0.0;
         friction_ = kFirstFriction;
         pace_ = 1.0;
-        stalled_ = 0.0;
         held_ = false;
     }
 
@@ -95,10 +96,12 @@ class RollingController final : public Controller {
                 shareIntegral(sensors, out);
                 break;
             case ControllerKind::Torque:
+                watchStall(sensors, command);
                 planTorques();
                 driveByTorque(sensors, command, out);
                 break;
             default:
+                watchStall(sensors, command);
                 planTorques();
                 driveHybrid(sensors, command, out);
                 break;
@@ -129,6 +132,8 @@ class RollingController final : public Controller {
             const double most = std::min(
                 kFastest * std::max(std::abs(command.speed) / wheels_[i].radius, kSmallestRateCap),
                 wheels_[i].speedLimit);
+            const double steepest = kSteepest * std::abs(command.speed) / wheels_[i].radius;
+            looks_[i].rolling = std::clamp(asked[w], -steepest, steepest);
             if (pushes) {
                 asked[w] = std::clamp(asked[w], -most, most);
             }
@@ -140,6 +145,24 @@ class RollingController final : public Controller {
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             intent_->wheels[i].rate = rates_[static_cast<Eigen::Index>(i)];
         }
+    }
+
+    /// Whether the rover stands though it is to drive, by what was asked for at the last look.
+    void watchStall(const Sensors& sensors, const DriveCommand& command) {
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            looks_[i].bears = estimate_.bears(i);
+            looks_[i].rate = sensors.wheels[i].rate;
+        }
+        stuck_.update(command.speed, sensors.bodySpeed, looks_);
+        intent_->resting = stuck_.stage() == StuckWheels::Stage::Rests;
+    }
+
+    /// What is asked of a wheel, in view of its cap.
+    void noteCap(std::size_t i, double wanted, double cap) {
+        looks_[i].atCap = std::abs(wanted) >= cap;
+        looks_[i].atLimit = std::abs(wanted) >= wheels_[i].torqueLimit && looks_[i].atCap &&
+                            cap >= wheels_[i].torqueLimit;
+        held_ = held_ && looks_[i].atCap;
     }
 
     /// Torques of least required friction. Where none are found, the last ones fade.
@@ -210,9 +233,7 @@ class RollingController final : public Controller {
                        std::span<WheelCommand> out) {
         const double common = loop_.torque(sensors.bodySpeed, command.speed, held_);
         intent_->commonTorque = common;
-        if (settings_.assumedFriction > 0.0) {
-            intent_->frictionCap = settings_.assumedFriction;
-        }
+        intent_->frictionCap = trusted(settings_.assumedFriction);
         held_ = true;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
             out[i] = {};
@@ -222,8 +243,12 @@ class RollingController final : public Controller {
                 std::max(kRateCap * std::abs(command.speed) / wheels_[i].radius, kSmallestRateCap);
             out[i].proportional = kLoopProportional * wheels_[i].torqueLimit;
             out[i].integral = kLoopIntegral * wheels_[i].torqueLimit;
-            out[i].torqueCap = tractionCap(sensors, i, settings_.assumedFriction);
-            held_ = held_ && std::abs(out[i].torque) >= out[i].torqueCap;
+            out[i].torqueCap =
+                tractionCap(sensors, i, stuck_.friction(i, settings_.assumedFriction));
+            if (stuck_.stage() != StuckWheels::Stage::Drives) {
+                out[i].speed = std::min(out[i].speed, stuck_.creep(i));
+            }
+            noteCap(i, out[i].torque, out[i].torqueCap);
         }
     }
 
@@ -232,17 +257,33 @@ class RollingController final : public Controller {
         learnFriction(sensors, command);
         const double common = loop_.torque(sensors.bodySpeed, command.speed, held_);
         intent_->commonTorque = common;
-        intent_->frictionCap = friction_;
+        intent_->frictionCap = trusted(friction_);
         held_ = true;
         for (std::size_t i = 0; i < wheels_.size(); ++i) {
-            const double cap = tractionCap(sensors, i, friction_);
+            const double cap = tractionCap(sensors, i, stuck_.friction(i, friction_));
             const double wanted = optimum_[i] + common * shareOf(i);
             out[i] = rolling(i);
             out[i].torque = std::clamp(wanted, -cap, cap);
             out[i].proportional = kHybridGain * wheels_[i].torqueLimit;
-            held_ = held_ && std::abs(wanted) >= cap;
+            noteCap(i, wanted, cap);
             given_[i] = out[i].torque;
+            if (stuck_.stage() != StuckWheels::Stage::Drives) {
+                creep(sensors, i, cap, out[i]);
+            }
         }
+    }
+
+    /// The same torque, from a wheel that must not race.
+    void creep(const Sensors& sensors, std::size_t i, double cap, WheelCommand& out) const {
+        out.mode = WheelMode::Torque;
+        out.proportional = kLoopProportional * wheels_[i].torqueLimit;
+        out.integral = kLoopIntegral * wheels_[i].torqueLimit;
+        if (stuck_.stage() == StuckWheels::Stage::Rests) {
+            out.torqueCap = cap;
+        } else {
+            out.torque += mildGains_[i] * (out.speed - sensors.wheels[i].rate);
+        }
+        out.speed = stuck_.creep(i);
     }
 
     /// A wheel that runs ahead of the ground gives what the ground holds, and less is asked then.
@@ -266,12 +307,18 @@ class RollingController final : public Controller {
                     std::min(friction_, kBelowSlip * std::abs(torque) / (wheels_[i].radius * load));
             }
         }
-        stalled_ = std::abs(sensors.bodySpeed) < kStalled * std::abs(asked)
-                       ? stalled_ + settings_.period
-                       : 0.0;
-        if (stalled_ > kStalledTime) {
-            friction_ = kMostFriction;
+        if (stuck_.stage() != StuckWheels::Stage::Drives) {
+            friction_ = StuckWheels::kMostFriction;
         }
+    }
+
+    /// The most friction that a wheel is trusted with; no number where no cap is.
+    double trusted(double assumed) const {
+        double most = 0.0;
+        for (std::size_t i = 0; i < wheels_.size(); ++i) {
+            most = std::max(most, stuck_.friction(i, assumed));
+        }
+        return most > 0.0 ? most : Intent::kNone;
     }
 
     WheelCommand rolling(std::size_t i) const {
@@ -303,6 +350,7 @@ class RollingController final : public Controller {
     RoverEstimate estimate_;
     BodySpeedLoop loop_;
     HeadingHold heading_;
+    StuckWheels stuck_;
     std::unique_ptr<Controller> brake_;
     Intent* intent_ = nullptr;       ///< of this update
     Eigen::VectorXd rates_;          ///< at which nothing slips [rad/s]
@@ -310,11 +358,11 @@ class RollingController final : public Controller {
     std::vector<double> given_;      ///< by the model and the PID, in the last period [N m]
     std::vector<double> mildGains_;  ///< what the mild loops give [N m s/rad]
     std::vector<double> slipping_;   ///< for how long each wheel runs ahead [s]
-    double integral_ = 0.0;          ///< common [N m]
+    std::vector<StuckWheels::Wheel> looks_;
+    double integral_ = 0.0;  ///< common [N m]
     double friction_ = kFirstFriction;
-    double pace_ = 1.0;     ///< of the rover over what is asked, so that no wheel is too fast
-    double stalled_ = 0.0;  ///< [s]
-    bool held_ = false;     ///< all wheels are at their caps
+    double pace_ = 1.0;  ///< of the rover over what is asked, so that no wheel is too fast
+    bool held_ = false;  ///< all wheels are at their caps
 };
 
 }  // namespace

@@ -80,6 +80,7 @@ double WheelDrive::torque(const WheelCommand& command, double rate, double step)
         const double held = heldBelowSpeed(capped, rate, step);
         commanded_ = held == capped.torque ? command.torque : held;
     } else {
+        heldSign_ = 0.0;  // a Torque command starts at its torque, not where this loop was
         commanded_ = command.torque + loopTorque(command, command.speed - rate, step);
     }
     return std::clamp(available(commanded_, rate), -cap, cap);

@@ -43,7 +43,7 @@ class WheelDrive {
     double speedLimit_;
     double inertia_;
     double integral_ = 0.0;  ///< of the loop [N m]
-    double heldSign_ = 1.0;  ///< of the torque in the last Torque command
+    double heldSign_ = 1.0;  ///< of the torque in the last Torque command; 0: none
     double commanded_ = 0.0;
 };
 

@@ -321,6 +321,9 @@ std::string Simulation::Impl::blownUpBody(double fastest) const {
 std::string Simulation::Impl::whyStuck() const {
     std::string why =
         fmt::format("less than {:.0f} mm gained in {:.0f} s", 1e3 * kStuckDistance, kStuckTime);
+    if (controller->intent().resting) {
+        return why + ", though every wheel gave all that the ground takes; they rest";
+    }
     const auto atTractionCap = [this](std::size_t i) {
         const double cap = commands[i].torqueCap;
         return cap < run.mechanism.wheels[i].torqueLimit && std::abs(torques[i]) > 0.99 * cap;

@@ -129,6 +129,18 @@ TEST(WheelDriveTest, UsualStepsDriveAWheelEquallyStiffly) {
     }
 }
 
+// What drove a wheel in another mode is no start for the loop that holds a torque-driven wheel
+// below its highest rate: the torque asked for is there at once.
+TEST(WheelDriveTest, ATorqueCommandTakesOverWithoutAJump) {
+    for (const double sign : {1.0, -1.0}) {
+        WheelDrive drive = makeDrive();
+        drive.torque(torqueCommand(sign * 1.0, 2.0), 0.0, 0.002);
+        drive.torque(speedCommand(sign * 1.8, 0.1, 0.0), sign * 1.8, 0.002);
+        EXPECT_EQ(drive.torque(torqueCommand(sign * 1.0, 2.0), sign * 1.9, 0.002), sign * 1.0);
+        EXPECT_LT(sign * drive.torque(torqueCommand(sign * 1.0, 2.0), sign * 2.1, 0.002), 1.0);
+    }
+}
+
 // With a short step the PI loop's error follows I e'' + K e' + Ki e = 0 from e = w, e' = -K w / I,
 // with the gains K and Ki of a loop that answers in 5 ms: divided by 1 + (K + Ki h) h / I.
 TEST(WheelDriveTest, ShortStepsFollowTheDifferentialEquation) {

@@ -47,3 +47,30 @@ TEST(ControlRunTest, RunsRepeat) {
         EXPECT_EQ(drive(solero, plan, what).stateHash, drive(solero, plan, what).stateHash);
     }
 }
+
+// This profile has an edge that the front bogie wheels climb only with a friction of 0.523. On 0.5
+// no torques do it: a controller that says so after a try, instead of spinning 15 m of way off its
+// wheels until the run is given up, has less to pay for.
+TEST(ControlRunTest, WheelsRestWhereNoTorquesClimb) {
+    const project::Project solero = testsupport::shipped("solero");
+    for (const ControllerKind kind : {ControllerKind::Torque, ControllerKind::Hybrid}) {
+        const Outcome outcome = drive(solero, {}, {102, 0.5, kind});
+        EXPECT_FALSE(outcome.completed);
+        EXPECT_EQ(outcome.stopReason, "stuck");
+        EXPECT_NEAR(outcome.endX, 2.352, 0.002) << project::nameOf(kind);
+        EXPECT_LT(outcome.slipAbs, 0.9) << project::nameOf(kind);
+        EXPECT_LT(outcome.energy, 25.0) << project::nameOf(kind);
+    }
+}
+
+// On 0.7 it can be climbed, but not with wheels that are trusted with 0.5: those that stand at
+// their caps are given more.
+TEST(ControlRunTest, StuckWheelsAreTrustedWithMore) {
+    const project::Project solero = testsupport::shipped("solero");
+    Plan plan;
+    plan.distance = 2.6;
+    ASSERT_EQ(plan.assumedFriction, 0.5);
+    const Outcome outcome = drive(solero, plan, {102, 0.7, ControllerKind::Torque});
+    EXPECT_TRUE(outcome.completed) << outcome.stopReason;
+    EXPECT_LT(outcome.slipAbs, 0.02);
+}

@@ -536,6 +536,19 @@ TEST_F(EndOfRunTest, StuckWhenNothingIsGained) {
     EXPECT_FALSE(report.stopDetail.empty());
 }
 
+// A controller that has tried all that the ground takes says so.
+TEST_F(EndOfRunTest, StuckSaysWhenNothingMoreIsToBeHad) {
+    ResolvedRun run = cart();
+    run.controller = ControllerKind::Hybrid;
+    run.friction = 0.0;
+    run.distance = 3.5;
+    const RunReport report = reportOf(run);
+    EXPECT_EQ(report.stopReason, StopReason::Stuck);
+    EXPECT_NE(report.stopDetail.find("every wheel gave all that the ground takes"),
+              std::string::npos)
+        << report.stopDetail;
+}
+
 // Nothing moves once a run has ended.
 TEST_F(EndOfRunTest, StepsAfterTheEndDoNothing) {
     ResolvedRun run = cart();
