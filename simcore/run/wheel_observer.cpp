@@ -54,6 +54,9 @@ void WheelObserver::observeContact(std::size_t wheel, const Pose& pose,
     double rollingLoad = 0.0;
     double depth = 0.0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
+        if (contacts[i].wheel != static_cast<int>(wheel)) {
+            continue;
+        }
         const double n = std::max(0.0, forces[i].dot(contacts[i].normal));
         const Vec3 arm = contacts[i].point - center;
         normalSum += n * contacts[i].normal;
@@ -113,17 +116,9 @@ void WheelObserver::observeMotion(std::size_t wheel, const Pose& before, const P
 void WheelObserver::observe(const dynamics::Engine& engine, const std::vector<Pose>& before,
                             std::span<const contact::Contact> contacts, bool countSlip,
                             std::vector<WheelState>& states) {
-    const std::span<const Vec3> forces = engine.contactForces();
-    std::size_t first = 0;
     for (std::size_t i = 0; i < states.size(); ++i) {
         const auto body = static_cast<std::size_t>(mechanism_.wheels[i].body);
-        std::size_t end = first;
-        while (end < contacts.size() && contacts[end].wheel == static_cast<int>(i)) {
-            ++end;
-        }
-        observeContact(i, before[body], contacts.subspan(first, end - first),
-                       forces.subspan(first, end - first), states[i]);
-        first = end;
+        observeContact(i, before[body], contacts, engine.contactForces(), states[i]);
         observeMotion(i, before[body], engine.poses()[body], engine.velocities()[body], countSlip,
                       states[i]);
     }

@@ -35,7 +35,6 @@ class WheelObserver {
 
     void reset();
     /// After a step: `before` are the poses the step started from.
-    /// @param contacts  ordered by wheel, those of other bodies last
     void observe(const dynamics::Engine& engine, const std::vector<Pose>& before,
                  std::span<const contact::Contact> contacts, bool countSlip,
                  std::vector<WheelState>& states);
@@ -49,7 +48,6 @@ class WheelObserver {
         double lateral = 0.0;
     };
 
-    /// @param contacts, forces  of that wheel
     void observeContact(std::size_t wheel, const Pose& pose,
                         std::span<const contact::Contact> contacts, std::span<const Vec3> forces,
                         WheelState& state);

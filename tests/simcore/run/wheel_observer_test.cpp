@@ -109,6 +109,18 @@ TEST_F(WheelObserverTest, PivotingAboutAnEdgeHasNoSlip) {
     EXPECT_LT(state().slipAbs, 1e-6);
 }
 
+// Other engines name contacts in an order of their own.
+TEST_F(WheelObserverTest, OrderOfContactsDoesNotMatter) {
+    contact::Contact body;
+    body.body = 1;
+    contacts.insert(contacts.begin(), body);
+    engine.forces.insert(engine.forces.begin(), Vec3(0.0, 0.0, 7.0));
+    move({0.0002, 0.0, 0.0}, 0.0002 / kRadius);
+    EXPECT_TRUE(state().touching);
+    EXPECT_EQ(state().normalForce, 20.0);
+    EXPECT_LT(state().slipAbs, 1e-12);
+}
+
 // Slip counts the wheel's absolute turn: one that stands still while its carrier pitches does not
 // slip, and one that is locked to a pitching carrier and moves as it turns does not either.
 TEST_F(WheelObserverTest, PitchOfTheCarrierIsNotSlip) {
