@@ -14,6 +14,15 @@
 namespace widgets {
 namespace {
 
+/// Numbers with a minus sign, as everywhere else in the window.
+class SignedTicker final : public QCPAxisTicker {
+  protected:
+    QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+        const QString text = QCPAxisTicker::getTickLabel(tick, locale, format, precision);
+        return text.startsWith('-') ? QChar(0x2212) + text.mid(1) : text;
+    }
+};
+
 /// Points whose least and largest value are kept, so that a range need not look at each.
 constexpr int kBlock = 128;
 constexpr double kEmpty = std::numeric_limits<double>::infinity();
@@ -108,6 +117,7 @@ WheelPlot::WheelPlot(QWidget* parent)
     plot_->xAxis->setLabel(QObject::tr("time [s]"));
     plot_->xAxis->setLabelPadding(1);
     plot_->yAxis->setLabelPadding(3);
+    plot_->yAxis->setTicker(QSharedPointer<SignedTicker>::create());
     plot_->yAxis->ticker()->setTickCount(4);
     plot_->yAxis->setNumberPrecision(4);
     plot_->yAxis->setNumberFormat("gb");
