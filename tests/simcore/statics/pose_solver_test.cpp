@@ -8,6 +8,7 @@
 #include "simcore/dynamics/engine.h"
 #include "simcore/run/simulation.h"
 #include "simcore/statics/static_study.h"
+#include "tests/support/carts.h"
 #include "tests/support/projects.h"
 #include "tests/support/rovers.h"
 
@@ -304,6 +305,72 @@ TEST(PoseSolverTest, AHangingWheelHangsAsInTheEngine) {
         EXPECT_EQ(study.wheels[hanging].normal, 0.0);
         expectLoadsOf(end, model, pose, 0.01);
     }
+}
+
+// A fifth wheel on an arm behind a cart, over a hole: only a spring about the arm's pin holds it,
+// where
+//     preload - k angle = moment of arm and wheel about the pin.
+TEST(PoseSolverTest, ASpringAloneHoldsAWheelOverAHole) {
+    constexpr double kStiffness = 10.0;  // [N m/rad]
+    constexpr double kPreload = 1.0;     // [N m]
+    constexpr double kArm = 0.3;         // [m]
+    constexpr double kArmMass = 0.3;     // [kg]
+    const testsupport::CartNumbers numbers;
+    mechanism::Mechanism cart = testsupport::makeCart(numbers);
+    const Vec3 pivot(-numbers.halfBase, 0.0, numbers.radius);
+    const Vec3 hub = pivot - Vec3(kArm, 0.0, 0.0);
+    const int arm = static_cast<int>(cart.bodies.size());
+    cart.bodies.push_back(testsupport::makeBody("arm", kArmMass, 0.5 * (pivot + hub)));
+    cart.bodies.push_back(cart.bodies[static_cast<std::size_t>(cart.wheels[0].body)]);
+    cart.bodies.back().name = "trailing";
+    cart.bodies.back().com = hub;
+    cart.joints.push_back(testsupport::makePin("arm_pivot", 0, arm, pivot));
+    const int pin = static_cast<int>(cart.joints.size()) - 1;
+    cart.joints.push_back(testsupport::makePin("trailing_axle", arm, arm + 1, hub));
+    mechanism::Wheel wheel = cart.wheels[0];
+    wheel.name = "trailing";
+    wheel.body = arm + 1;
+    wheel.axle = pin + 1;
+    wheel.carrier = arm;
+    wheel.center = hub;
+    cart.wheels.push_back(wheel);
+    mechanism::Spring spring;
+    spring.name = "arm_spring";
+    spring.joint = pin;
+    spring.first = 0;
+    spring.second = arm;
+    spring.stiffness = kStiffness;
+    spring.preload = kPreload;
+    cart.springs = {spring};
+    const terrain::Terrain ground = terrain::Terrain::extruded(
+        {{-20.0, 0.0}, {-0.75, 0.0}, {-0.75, -2.0}, {-0.25, -2.0}, {-0.25, 0.0}, {20.0, 0.0}}, -5.0,
+        5.0);
+
+    const double moment = dynamics::kGravity * kArm * (0.5 * kArmMass + numbers.wheelMass);
+    double angle = 0.0;  // the fixed point contracts: moment / stiffness is 0.2
+    for (int i = 0; i < 50; ++i) {
+        angle = (kPreload - moment * std::cos(angle)) / kStiffness;
+    }
+    ASSERT_LT(angle, -0.05);
+
+    StaticModel model(cart, Model::Built);
+    PoseSolver solver(model, ground);
+    const StandingPose pose = solver.settle({0.0, 0.0, 0.0});
+    ASSERT_EQ(pose.standing, Standing::Stands);
+    EXPECT_EQ(pose.footholds.size(), 4U);
+    EXPECT_TRUE(pose.jointsAtStop.empty());
+    EXPECT_NEAR(mechanism::jointAngle(cart.joints[static_cast<std::size_t>(pin)], pose.bodies),
+                angle, 1e-6);
+    const Study study = studyPose(model, pose, std::nullopt);
+    EXPECT_TRUE(study.feasible);
+    EXPECT_FALSE(study.wheels.back().touches);
+    EXPECT_EQ(study.wheels.back().normal, 0.0);
+    // What hangs behind the rear axle takes load off the front.
+    const double front =
+        (dynamics::kGravity * (numbers.chassisMass + 4.0 * numbers.wheelMass) * numbers.halfBase -
+         moment * std::cos(angle)) /
+        (2.0 * numbers.halfBase);
+    EXPECT_NEAR(study.wheels[0].normal + study.wheels[1].normal, front, 1e-6 * front);
 }
 
 // At 0.1 m/s up a ramp and across its foot: the loads that statics finds for the engine's torques.
