@@ -566,14 +566,14 @@ void ImpulseSolver::gradients(ImpulseProblem& problem, const PatternedLu& lu, Ei
     matrix_.leftCols(n) = problem.mass;
     matrix_.col(n) = problem.momentum;
     lu.factor(matrix_);
-    lu.solveCarried(matrix_, right_);
-    unpushed = right_;
+    lu.solveCarried(matrix_, u);
+    unpushed = u;
     free_.resize(static_cast<std::size_t>(m));
     Vector(free_.data(), m).noalias() = jacobian * unpushed;
     for (Eigen::Index row = 0; row < m; ++row) {
-        right_ = jacobian.row(row).transpose();
-        lu.solve(matrix_, right_);
-        answers.row(row) = right_.transpose();
+        u = jacobian.row(row).transpose();
+        lu.solve(matrix_, u);
+        answers.row(row) = u.transpose();
     }
     Matrix(delassus_, m, m).noalias() = jacobian * answers.transpose();
 

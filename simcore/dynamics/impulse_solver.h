@@ -167,7 +167,6 @@ class ImpulseSolver {
     double bestShare(const ImpulseProblem& problem, Way way) const;
 
     RowMajor matrix_;  ///< with the right side as its last column
-    Eigen::VectorXd right_;
     std::vector<ContactLaw> laws_;  ///< of every contact
     std::vector<Asked> asked_;      ///< of every contact
     std::vector<int> limits_;       ///< per scalar row: -1, 0, 1 where it is held at a limit

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include <Eigen/Cholesky>
+
+#include "simcore/base/scratch.h"
 
 namespace simcore::statics {
 namespace {
@@ -22,41 +23,40 @@ constexpr double kViolated = 1e-12;
 class Multipliers {
   public:
     /// @param yield  that was added to the diagonal of `gram`
-    Multipliers(const MatrixXd& gram, double yield, const VectorXd& asked, int free)
+    /// @param now    l: which of them are active to begin with, then the result
+    Multipliers(const Scratch::Matrix& gram, double yield, const Scratch::Vector& asked, int free,
+                Eigen::Ref<VectorXd> now)
         : gram_(gram),
           yield_(yield),
           asked_(asked),
           free_(free),
-          now_(VectorXd::Zero(asked.size())),
-          isActive_(static_cast<std::size_t>(asked.size()), false),
-          matrix_(asked.size(), asked.size()),
-          wanted_(asked.size()),
-          correction_(asked.size()),
-          violation_(asked.size()) {
-        active_.reserve(static_cast<std::size_t>(asked.size()));
-        for (int i = 0; i < free; ++i) {
-            activate(i);
-        }
-    }
-
-    /// Begins with the rows that hold here.
-    void begin(const VectorXd& guess) {
-        for (int i = free_; i < guess.size(); ++i) {
-            if (guess[i] > 0.0) {
-                now_[i] = guess[i];
+          now_(now),
+          active_(room_.list<int>(static_cast<std::size_t>(asked.size()))),
+          isActive_(room_.list<bool>(static_cast<std::size_t>(asked.size()))),
+          matrix_(room_.matrix(asked.size(), asked.size())),
+          wanted_(room_.vector(asked.size())),
+          correction_(room_.vector(asked.size())),
+          violation_(room_.vector(asked.size())) {
+        for (int i = 0; i < asked.size(); ++i) {
+            if (i < free) {
+                now_[i] = 0.0;
                 activate(i);
+            } else if (now_[i] > 0.0) {
+                activate(i);
+            } else {
+                now_[i] = 0.0;
             }
         }
     }
 
-    const VectorXd& solve() {
+    void solve() {
         const Eigen::Index m = asked_.size();
         take();
         const double enough =
             kViolated * std::max(1e-300, m > 0 ? asked_.cwiseAbs().maxCoeff() : 0.0);
         for (Eigen::Index k = 0; k < 4 * m; ++k) {
             violation_ = asked_;
-            for (const int row : active_) {
+            for (const int row : active_.first(count_)) {
                 violation_ -= now_[row] * gram_.col(row);
             }
             int worst = -1;
@@ -72,19 +72,18 @@ class Multipliers {
             activate(worst);
             take();
         }
-        return now_;
     }
 
   private:
     void activate(int row) {
-        active_.push_back(row);
+        active_[count_++] = row;
         isActive_[static_cast<std::size_t>(row)] = true;
     }
 
     /// Solves for the active ones, giving up those that would pull.
     void take() {
-        while (!active_.empty()) {
-            const auto n = static_cast<Eigen::Index>(active_.size());
+        while (count_ > 0) {
+            const auto n = static_cast<Eigen::Index>(count_);
             auto wanted = wanted_.head(n);
             for (Eigen::Index j = 0; j < n; ++j) {
                 const int column = active_[static_cast<std::size_t>(j)];
@@ -94,7 +93,7 @@ class Multipliers {
                 }
             }
             Eigen::Ref<MatrixXd> matrix = matrix_.topLeftCorner(n, n);
-            const Eigen::LDLT<Eigen::Ref<MatrixXd>> factor(matrix);
+            const Eigen::LLT<Eigen::Ref<MatrixXd>> factor(matrix);
             factor.solveInPlace(wanted);
             // What the rows gave way is asked for once more.
             correction_.head(n) = yield_ * wanted;
@@ -120,47 +119,67 @@ class Multipliers {
                     active_[kept++] = row;
                 }
             }
-            const bool dropped = kept < active_.size();
-            active_.resize(kept);
+            const bool dropped = kept < count_;
+            count_ = kept;
             if (!dropped) {
                 return;
             }
         }
     }
 
-    const MatrixXd& gram_;
+    Scratch room_;
+    const Scratch::Matrix& gram_;
     const double yield_;
-    const VectorXd& asked_;
+    const Scratch::Vector& asked_;
     const int free_;
-    VectorXd now_;
-    std::vector<int> active_;
-    std::vector<bool> isActive_;
-    MatrixXd matrix_;  ///< workspace
-    VectorXd wanted_;
-    VectorXd correction_;
-    VectorXd violation_;
+    Eigen::Ref<VectorXd> now_;
+    std::span<int> active_;  ///< the first `count_`
+    std::size_t count_ = 0;
+    std::span<bool> isActive_;
+    Scratch::Matrix matrix_;  ///< workspace
+    Scratch::Vector wanted_;
+    Scratch::Vector correction_;
+    Scratch::Vector violation_;
 };
 
 }  // namespace
 
-Optimum minimise(const QuadraticProgram& problem, const VectorXd& guess) {
+void minimise(const QuadraticView& problem, Eigen::Ref<VectorXd> x,
+              Eigen::Ref<VectorXd> multipliers) {
+    Scratch room;
+    const Eigen::Index n = problem.hessian.rows();
+    const Eigen::Index m = problem.rows.rows();
     // With H = L L' all is about z = L' x, in which H is the unit.
-    const Eigen::LLT<MatrixXd> factor(problem.hessian);
-    Optimum optimum;
-    optimum.x = factor.matrixL().solve(problem.right);
-    const MatrixXd reached = factor.matrixL().solve(problem.rows.transpose());
+    Scratch::Matrix hessian = room.matrix(n, n);
+    hessian = problem.hessian;
+    Eigen::Ref<MatrixXd> inPlace(hessian);
+    const Eigen::LLT<Eigen::Ref<MatrixXd>> factor(inPlace);
+    x = problem.right;
+    factor.matrixL().solveInPlace(x);
+    Scratch::Matrix reached = room.matrix(n, m);
+    reached = problem.rows.transpose();
+    factor.matrixL().solveInPlace(reached);
     // Small: as good as any blocked product.
-    MatrixXd gram = reached.transpose().lazyProduct(reached);
+    Scratch::Matrix gram = room.matrix(m, m);
+    gram.noalias() = reached.transpose().lazyProduct(reached);
     const double yield = gram.size() > 0 ? kYield * gram.diagonal().maxCoeff() : 0.0;
     gram.diagonal().array() += yield;
-    const VectorXd asked = problem.bounds - reached.transpose() * optimum.x;
-    Multipliers multipliers(gram, yield, asked, problem.equations);
-    if (guess.size() == asked.size()) {
-        multipliers.begin(guess);
+    Scratch::Vector asked = room.vector(problem.bounds);
+    asked.noalias() -= reached.transpose() * x;
+    Multipliers(gram, yield, asked, problem.equations, multipliers).solve();
+    x.noalias() += reached * multipliers;
+    factor.matrixU().solveInPlace(x);
+}
+
+Optimum minimise(const QuadraticProgram& problem, const VectorXd& guess) {
+    Optimum optimum;
+    optimum.x.resize(problem.right.size());
+    optimum.multipliers = guess;
+    if (guess.size() != problem.bounds.size()) {
+        optimum.multipliers.setZero(problem.bounds.size());
     }
-    optimum.multipliers = multipliers.solve();
-    optimum.x += reached * optimum.multipliers;
-    factor.matrixU().solveInPlace(optimum.x);
+    minimise({problem.hessian, problem.right, problem.rows, problem.bounds, problem.equations},
+             optimum.x, optimum.multipliers);
     return optimum;
 }
 

@@ -26,4 +26,18 @@ struct Optimum {
 ///               are active need not be found anew
 Optimum minimise(const QuadraticProgram& problem, const Eigen::VectorXd& guess = {});
 
+/// A program that stands elsewhere.
+struct QuadraticView {
+    Eigen::Ref<const Eigen::MatrixXd> hessian;
+    Eigen::Ref<const Eigen::VectorXd> right;
+    Eigen::Ref<const Eigen::MatrixXd> rows;
+    Eigen::Ref<const Eigen::VectorXd> bounds;
+    int equations = 0;
+};
+
+/// The same without memory of its own (see Scratch).
+/// @param multipliers  guess, then result
+void minimise(const QuadraticView& problem, Eigen::Ref<Eigen::VectorXd> x,
+              Eigen::Ref<Eigen::VectorXd> multipliers);
+
 }  // namespace simcore::statics

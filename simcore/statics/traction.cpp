@@ -118,7 +118,7 @@ void Traction::solveForTorques() {
     conditions_ = -open.rightCols(wheels);
 }
 
-Forces Traction::forcesOf(const VectorXd& unknowns) const {
+Forces Traction::forcesOf(const Eigen::Ref<const VectorXd>& unknowns) const {
     const auto at = [&](int column) { return column >= 0 ? unknowns[column] : 0.0; };
     Forces forces;
     for (std::size_t i = 0; i < wheelOf_.size(); ++i) {
@@ -190,24 +190,26 @@ bool Traction::allowed(const Forces& forces) const {
                                                     [](double moment) { return moment >= 0.0; });
 }
 
-/// The forces of torques in these proportions; nothing when none of them hold the rover.
+/// The forces of torques in these proportions. False when none of them hold the rover.
 /// @param shares  of every wheel
-std::optional<VectorXd> Traction::withShares(const VectorXd& shares) const {
-    const VectorXd asked = conditions_ * shares;
+bool Traction::withShares(const Scratch::Vector& shares, Scratch::Vector& unknowns) const {
+    Scratch room;
+    Scratch::Vector asked = room.vector(wanted_.size());
+    asked.noalias() = conditions_ * shares;
     const double square = asked.squaredNorm();
     const double common = square > 0.0 ? asked.dot(wanted_) / square : 0.0;
     if (!((asked * common - wanted_).lpNorm<1>() <= kBalanced * scale_)) {
-        return std::nullopt;
+        return false;
     }
-    VectorXd unknowns = VectorXd::Zero(some_.size());
-    const Eigen::Index others = withoutTorque_.size();
-    unknowns.head(others) = withoutTorque_ + common * (perTorque_ * shares);
+    auto forces = unknowns.head(withoutTorque_.size());
+    forces = withoutTorque_;
+    forces.noalias() += common * (perTorque_ * shares);
     for (std::size_t w = 0; w < radii_.size(); ++w) {
         if (equilibrium_.torque[w] >= 0) {
             unknowns[equilibrium_.torque[w]] = common * shares[static_cast<Eigen::Index>(w)];
         }
     }
-    return unknowns;
+    return true;
 }
 
 Solution Traction::equalTorque() const {
@@ -247,7 +249,9 @@ Solution Traction::equalTorque() const {
         solution.friction = solution.forces.maxRatio();
         return solution;
     }
-    solution = search(some, motions, VectorXd::Zero(motions.cols()), Objective::Friction, 1e-8);
+    Scratch room;
+    solution = search(some, motions, room.vector(VectorXd::Zero(motions.cols())),
+                      Objective::Friction, 1e-8);
     if (solution.way != Way::None) {
         solution.way = Way::Equal;
     }
@@ -255,14 +259,17 @@ Solution Traction::equalTorque() const {
 }
 
 Solution Traction::fixedPoint() const {
-    Solution none;
+    const Solution none;
     const auto wheels = static_cast<Eigen::Index>(radii_.size());
-    VectorXd shares = VectorXd::Ones(wheels);
-    std::optional<VectorXd> unknowns = withShares(shares);
-    for (int k = 0; unknowns && k < kMaxFixedPoint; ++k) {
-        VectorXd next = VectorXd::Zero(wheels);
+    Scratch room;
+    Scratch::Vector shares = room.vector(VectorXd::Ones(wheels));
+    Scratch::Vector next = room.vector(wheels);
+    Scratch::Vector unknowns = room.vector(VectorXd::Zero(some_.size()));
+    bool holds = withShares(shares, unknowns);
+    for (int k = 0; holds && k < kMaxFixedPoint; ++k) {
+        next.setZero();
         for (std::size_t i = 0; i < wheelOf_.size(); ++i) {
-            const double load = (*unknowns)[equilibrium_.normal[i]];
+            const double load = unknowns[equilibrium_.normal[i]];
             if (!(load > 0.0)) {
                 return none;
             }
@@ -270,10 +277,10 @@ Solution Traction::fixedPoint() const {
         }
         const double change = (next - shares).cwiseAbs().maxCoeff();
         shares += (k == 0 ? 1.0 : kDamping) * (next - shares);
-        unknowns = withShares(shares);
-        if (unknowns && k > 0 && change < kFixedPointTolerance) {
+        holds = withShares(shares, unknowns);
+        if (holds && k > 0 && change < kFixedPointTolerance) {
             Solution solution;
-            solution.forces = forcesOf(*unknowns);
+            solution.forces = forcesOf(unknowns);
             if (!allowed(solution.forces)) {
                 return none;
             }
@@ -298,12 +305,13 @@ Solution Traction::best(Objective objective, double tolerance) const {
         return only;
     }
     Solution start = objective == Objective::Friction ? fixedPoint() : Solution{};
-    VectorXd y = VectorXd::Zero(motions_.cols());
+    Scratch room;
+    Scratch::Vector y = room.vector(VectorXd::Zero(motions_.cols()));
     if (start.way != Way::None) {
         if (start.friction <= tolerance) {
             return start;  // there is no less than none
         }
-        y = motions_.transpose() * (unknownsOf(start.forces) - some_);
+        y.noalias() = motions_.transpose() * (unknownsOf(start.forces) - some_);
     }
     Solution found = search(some_, motions_, y, objective, tolerance);
     if (start.way != Way::None &&
@@ -314,72 +322,73 @@ Solution Traction::best(Objective objective, double tolerance) const {
 }
 
 /// The best forces some + motions y for an objective, from near `y`.
-Solution Traction::search(const VectorXd& some, const MatrixXd& motions, VectorXd y,
+Solution Traction::search(const VectorXd& some, const MatrixXd& motions, Scratch::Vector y,
                           Objective objective, double tolerance) const {
-    const QuasiConvexProgram program = programOf(some, motions, objective);
+    Scratch room;
+    const QuasiConvexProgram program = programOf(room, some, motions, objective);
     y /= load_;
     if (!minimise(program, y, tolerance)) {
         return {};
     }
+    Scratch::Vector unknowns = room.vector(some);
+    unknowns.noalias() += load_ * (motions * y);
     Solution found;
     found.way = Way::Search;
-    found.forces = forcesOf(some + load_ * (motions * y));
+    found.forces = forcesOf(unknowns);
     found.friction = found.forces.maxRatio();
     return found;
 }
 
 /// The best y of forces some + motions y, in loads of a wheel.
-QuasiConvexProgram Traction::programOf(const VectorXd& some, const MatrixXd& motions,
+QuasiConvexProgram Traction::programOf(Scratch& room, const VectorXd& some, const MatrixXd& motions,
                                        Objective objective) const {
-    QuasiConvexProgram program;
-    const Eigen::Index n = motions.cols();
-    const auto add = [&](std::span<const int> columns) -> Cone& {
-        Cone cone;
-        cone.rows.resize(static_cast<Eigen::Index>(columns.size()), n);
-        cone.offsets.resize(cone.rows.rows());
-        cone.slope.setZero(n);
-        cone.start = 1.0;
+    const std::size_t contacts = wheelOf_.size();
+    const std::size_t wheels = radii_.size();
+    QuasiConvexProgram program(room, motions.cols(), contacts + wheels,
+                               2 * (contacts + wheels) + equilibrium_.stop.size());
+    const auto addCone = [&](std::span<const int> columns) -> Cone& {
+        Cone& cone = program.addCone(static_cast<Eigen::Index>(columns.size()));
         Eigen::Index row = 0;
         for (const int column : columns) {
             cone.rows.row(row) = motions.row(column);
             cone.offsets[row++] = some[column] / load_;
         }
-        program.cones.push_back(std::move(cone));
-        return program.cones.back();
+        cone.start = 1.0;
+        return cone;
     };
-    program.cones.reserve(wheelOf_.size() + radii_.size());
-    program.halfSpaces.reserve(2 * (wheelOf_.size() + radii_.size()));
-    for (std::size_t i = 0; i < wheelOf_.size(); ++i) {
+    // factor * unknown + start >= 0, of unknowns in loads.
+    const auto addHalfSpace = [&](int column, double factor, double start) {
+        HalfSpace& half = program.addHalfSpace();
+        half.slope = factor * motions.row(column).transpose();
+        half.start = start + factor * some[column] / load_;
+    };
+    for (std::size_t i = 0; i < contacts; ++i) {
         const int normal = equilibrium_.normal[i];
         if (objective == Objective::Friction) {
             const int columns[] = {equilibrium_.traction[i], equilibrium_.lateral[i]};
-            Cone& cone = add(std::span(columns).first(columns[1] >= 0 ? 2 : 1));
+            Cone& cone = addCone(std::span(columns).first(columns[1] >= 0 ? 2 : 1));
             cone.slope = motions.row(normal).transpose();
             cone.start = some[normal] / load_;
         }
-        const VectorXd slope = motions.row(normal).transpose();
-        program.halfSpaces.push_back({slope, some[normal] / load_});
-        program.halfSpaces.push_back(
-            {-slope * (load_ / heaviest()), 1.0 - some[normal] / heaviest()});
+        addHalfSpace(normal, 1.0, 0.0);
+        addHalfSpace(normal, -load_ / heaviest(), 1.0);
     }
     for (const int column : equilibrium_.stop) {
-        program.halfSpaces.push_back({motions.row(column).transpose(), some[column] / load_});
+        addHalfSpace(column, 1.0, 0.0);
     }
     if (objective == Objective::Energy) {
-        add(torques_);
+        addCone(torques_);
     }
-    for (std::size_t w = 0; w < radii_.size(); ++w) {
+    for (std::size_t w = 0; w < wheels; ++w) {
         const int column = equilibrium_.torque[w];
         if (column < 0) {
             continue;
         }
         if (objective == Objective::Torque) {
-            add(std::span(&column, 1));
+            addCone(std::span(&column, 1));
         }
-        const VectorXd slope = motions.row(column).transpose() * (load_ / torqueLimits_[w]);
-        const double start = some[column] / torqueLimits_[w];
-        program.halfSpaces.push_back({slope, 1.0 + start});
-        program.halfSpaces.push_back({-slope, 1.0 - start});
+        addHalfSpace(column, load_ / torqueLimits_[w], 1.0);
+        addHalfSpace(column, -load_ / torqueLimits_[w], 1.0);
     }
     return program;
 }

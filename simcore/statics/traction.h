@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -88,14 +87,14 @@ class Traction {
 
   private:
     void solveForTorques();
-    std::optional<Eigen::VectorXd> withShares(const Eigen::VectorXd& shares) const;
+    bool withShares(const Scratch::Vector& shares, Scratch::Vector& unknowns) const;
     Eigen::VectorXd unknownsOf(const Forces& forces) const;
-    Forces forcesOf(const Eigen::VectorXd& unknowns) const;
+    Forces forcesOf(const Eigen::Ref<const Eigen::VectorXd>& unknowns) const;
     bool allowed(const Forces& forces) const;
     double heaviest() const;
-    QuasiConvexProgram programOf(const Eigen::VectorXd& some, const Eigen::MatrixXd& motions,
-                                 Objective objective) const;
-    Solution search(const Eigen::VectorXd& some, const Eigen::MatrixXd& motions, Eigen::VectorXd y,
+    QuasiConvexProgram programOf(Scratch& room, const Eigen::VectorXd& some,
+                                 const Eigen::MatrixXd& motions, Objective objective) const;
+    Solution search(const Eigen::VectorXd& some, const Eigen::MatrixXd& motions, Scratch::Vector y,
                     Objective objective, double tolerance) const;
 
     const Equilibrium equilibrium_;

@@ -1,42 +1,10 @@
 // After its start a run on the reduced engine takes no memory from the heap: an optimiser runs
 // thousands of them on all cores, which must not wait for each other.
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include <gtest/gtest.h>
 
 #include "simcore/run/simulation.h"
+#include "tests/support/heap_count.h"
 #include "tests/support/projects.h"
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-void* counted(std::size_t size) {
-    ++allocations;
-    if (void* memory = std::malloc(size)) {
-        return memory;
-    }
-    throw std::bad_alloc();
-}
-
-}  // namespace
-
-// NOLINTBEGIN(cppcoreguidelines-no-malloc): this is what the test counts.
-void* operator new(std::size_t size) {
-    return counted(size);
-}
-
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-
-void operator delete(void* memory, std::size_t /*size*/) noexcept {
-    std::free(memory);
-}
-
-// NOLINTEND(cppcoreguidelines-no-malloc)
 
 namespace {
 
@@ -65,6 +33,9 @@ INSTANTIATE_TEST_SUITE_P(Drives, AllocationTest,
                          });
 
 TEST_P(AllocationTest, AStepTakesNoneFromTheHeap) {
+    if (!testsupport::heapIsCounted()) {
+        GTEST_SKIP() << "a sanitizer's heap";
+    }
     run::RunRequest request;
     request.scenario = GetParam().scenario;
     request.engine = project::EngineKind::Reduced;
@@ -77,12 +48,12 @@ TEST_P(AllocationTest, AStepTakesNoneFromTheHeap) {
         simulation.step();
     }
     long steps = 0;
-    const long before = allocations;
+    const long before = testsupport::heapCount();
     for (; !simulation.finished() && steps < 10000; ++steps) {
         simulation.step();
     }
     EXPECT_GT(steps, 5000);
-    EXPECT_EQ(allocations - before, 0) << "in " << steps << " steps";
+    EXPECT_EQ(testsupport::heapCount() - before, 0) << "in " << steps << " steps";
 }
 
 }  // namespace

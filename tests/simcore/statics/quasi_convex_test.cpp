@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include "simcore/base/random.h"
+#include "tests/support/quasi_convex_programs.h"
 
 using namespace simcore;
 using namespace simcore::statics;
+using namespace testsupport;
 
 namespace {
 
@@ -16,65 +18,42 @@ using Eigen::VectorXd;
 
 constexpr double kTolerance = 1e-8;
 
-MatrixXd randomMatrix(Random& random, Eigen::Index rows, Eigen::Index cols) {
-    return MatrixXd::NullaryExpr(rows, cols, [&] { return random.uniform(-1.0, 1.0); });
-}
-
-/// Cones of the kind that contacts make, in a box of y.
-QuasiConvexProgram randomProgram(int seed, Eigen::Index n, int cones, Eigen::Index size,
-                                 double box = 2.0) {
-    Random random(static_cast<std::uint64_t>(seed));
-    QuasiConvexProgram program;
-    for (int i = 0; i < cones; ++i) {
-        Cone cone;
-        cone.rows = randomMatrix(random, size, n);
-        cone.offsets = 3.0 * randomMatrix(random, size, 1);
-        cone.slope = randomMatrix(random, n, 1);
-        cone.start = random.uniform(0.5, 2.0);
-        program.halfSpaces.push_back({cone.slope, cone.start});
-        program.cones.push_back(cone);
-    }
-    for (Eigen::Index k = 0; k < n; ++k) {
-        program.halfSpaces.push_back({VectorXd::Unit(n, k), box});
-        program.halfSpaces.push_back({-VectorXd::Unit(n, k), box});
-    }
-    return program;
-}
-
 }  // namespace
 
 // Two loads on a beam of weight 2 that pull 1 and 0.5 and may shift their weight: both ratios are
 // alike at the best.
 TEST(QuasiConvexTest, SharesALoad) {
-    QuasiConvexProgram program;
-    program.cones.push_back(
-        {MatrixXd::Zero(1, 1), VectorXd::Constant(1, 1.0), VectorXd::Constant(1, 1.0), 1.0});
-    program.cones.push_back(
-        {MatrixXd::Zero(1, 1), VectorXd::Constant(1, 0.5), VectorXd::Constant(1, -1.0), 1.0});
+    Scratch room;
+    QuasiConvexProgram program(room, 1, 2, 1);
+    addCone(program, MatrixXd::Zero(1, 1), VectorXd::Constant(1, 1.0), VectorXd::Constant(1, 1.0),
+            1.0);
+    addCone(program, MatrixXd::Zero(1, 1), VectorXd::Constant(1, 0.5), VectorXd::Constant(1, -1.0),
+            1.0);
     VectorXd y = VectorXd::Zero(1);
     ASSERT_TRUE(minimise(program, y, kTolerance));
     EXPECT_NEAR(y[0], 1.0 / 3.0, 1e-9);
     EXPECT_NEAR(program.reached(y), 0.75, 1e-9);
     // With a limit in the way, that holds.
-    program.halfSpaces.push_back({VectorXd::Constant(1, -1.0), 0.2});
+    addHalfSpace(program, VectorXd::Constant(1, -1.0), 0.2);
     ASSERT_TRUE(minimise(program, y, kTolerance));
     EXPECT_NEAR(y[0], 0.2, 1e-9);
 }
 
 TEST(QuasiConvexTest, FindsThatNothingIsAllowed) {
-    QuasiConvexProgram program;
-    program.cones.push_back({MatrixXd::Ones(1, 1), VectorXd::Zero(1), VectorXd::Zero(1), 1.0});
-    program.halfSpaces.push_back({VectorXd::Constant(1, 1.0), -1.0});
-    program.halfSpaces.push_back({VectorXd::Constant(1, -1.0), 0.5});
+    Scratch room;
+    QuasiConvexProgram program(room, 1, 1, 2);
+    addCone(program, MatrixXd::Ones(1, 1), VectorXd::Zero(1), VectorXd::Zero(1), 1.0);
+    addHalfSpace(program, VectorXd::Constant(1, 1.0), -1.0);
+    addHalfSpace(program, VectorXd::Constant(1, -1.0), 0.5);
     VectorXd y = VectorXd::Zero(1);
     EXPECT_FALSE(minimise(program, y, kTolerance));
 }
 
 // Where no force is needed at all, cones have no slope.
 TEST(QuasiConvexTest, NeedsNothingWhereNothingPulls) {
-    QuasiConvexProgram program;
-    program.cones.push_back(
-        {MatrixXd::Identity(2, 2), VectorXd::Constant(2, 0.3), VectorXd::Zero(2), 1.0});
+    Scratch room;
+    QuasiConvexProgram program(room, 2, 1, 0);
+    addCone(program, MatrixXd::Identity(2, 2), VectorXd::Constant(2, 0.3), VectorXd::Zero(2), 1.0);
     VectorXd y = VectorXd::Constant(2, 5.0);
     ASSERT_TRUE(minimise(program, y, kTolerance));
     EXPECT_LE(program.reached(y), kTolerance);
@@ -86,9 +65,10 @@ TEST(QuasiConvexTest, ComesBackFromFarAway) {
     constexpr double kFar = 300.0;
     int far = 0;
     for (int seed = 1; seed <= 200; ++seed) {
+        Scratch room;
         const QuasiConvexProgram program =
-            randomProgram(seed, 2 + seed % 7, 3, 1 + seed % 2, 4.0 * kFar);
-        const Eigen::Index n = program.cones.front().slope.size();
+            randomProgram(room, seed, 2 + seed % 7, 3, 1 + seed % 2, 4.0 * kFar);
+        const Eigen::Index n = program.unknowns();
         Random random(static_cast<std::uint64_t>(2000 + seed));
         VectorXd y = VectorXd::Zero(n);
         ASSERT_TRUE(minimise(program, y, kTolerance)) << seed;
@@ -109,14 +89,15 @@ TEST(QuasiConvexTest, ComesBackFromFarAway) {
 // From any start the same minimum, and nothing better by lot near it or far from it.
 TEST(QuasiConvexTest, NothingIsBetter) {
     for (int seed = 1; seed <= 60; ++seed) {
+        Scratch room;
         const QuasiConvexProgram program =
-            randomProgram(seed, 2 + seed % 7, 3 + seed % 5, 1 + seed % 2);
-        const Eigen::Index n = program.cones.front().slope.size();
+            randomProgram(room, seed, 2 + seed % 7, 3 + seed % 5, 1 + seed % 2);
+        const Eigen::Index n = program.unknowns();
         Random random(static_cast<std::uint64_t>(1000 + seed));
         VectorXd y = VectorXd::Zero(n);
         ASSERT_TRUE(minimise(program, y, kTolerance)) << seed;
         const double best = program.reached(y);
-        for (const HalfSpace& half : program.halfSpaces) {
+        for (const HalfSpace& half : program.halfSpaces()) {
             EXPECT_GE(half.room(y), -1e-8) << seed;
         }
         for (int k = 0; k < 5; ++k) {
@@ -128,7 +109,7 @@ TEST(QuasiConvexTest, NothingIsBetter) {
             const double far = std::pow(10.0, random.uniform(-5.0, 0.5));
             const VectorXd other = y + far * randomMatrix(random, n, 1);
             bool allowed = true;
-            for (const HalfSpace& half : program.halfSpaces) {
+            for (const HalfSpace& half : program.halfSpaces()) {
                 allowed = allowed && half.room(other) >= 0.0;
             }
             if (allowed) {
