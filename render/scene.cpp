@@ -80,6 +80,7 @@ struct Scene::Impl {
     std::vector<int> freedomCounts;
     int highlightedJoint = -1;
     int highlightedBody = -1;
+    int highlightedShape = -1;  ///< of that body; -1: all of it
     std::vector<int> markedJoints, markedBodies;
 
     osg::ref_ptr<osg::Group> root = new osg::Group;
@@ -235,7 +236,8 @@ void Scene::Impl::applyHighlights() {
     for (std::size_t i = 0; i < highlights.size(); ++i) {
         const bool marked = std::find(markedBodies.begin(), markedBodies.end(),
                                       static_cast<int>(i)) != markedBodies.end();
-        highlights[i]->set(marked || static_cast<int>(i) == highlightedBody ? 1.0F : 0.0F);
+        const bool whole = static_cast<int>(i) == highlightedBody && highlightedShape < 0;
+        highlights[i]->set(marked || whole ? 1.0F : 0.0F);
     }
 }
 
@@ -285,6 +287,12 @@ void Scene::Impl::buildOverlays() {
     if (highlightedJoint >= 0) {
         ring("highlighted joint", highlightedJoint, 0.09 * size);
     }
+    if (highlightedShape >= 0) {
+        const auto body = static_cast<std::size_t>(highlightedBody);
+        add("highlighted shape",
+            makeShapeMark(mechanism.bodies[body].shapes[static_cast<std::size_t>(highlightedShape)],
+                          matrixOf(snapshot.bodies[body])));
+    }
     std::vector<Badge> labels;
     if (shown.jointFreedoms && freedomCounts.size() == mechanism.joints.size()) {
         for (std::size_t i = 0; i < freedomCounts.size(); ++i) {
@@ -310,7 +318,7 @@ osg::Group* Scene::root() {
 void Scene::setMechanism(const Mechanism& mechanism) {
     impl_->mechanism = mechanism;
     impl_->freedomCounts.clear();
-    impl_->highlightedJoint = impl_->highlightedBody = -1;
+    impl_->highlightedJoint = impl_->highlightedBody = impl_->highlightedShape = -1;
     impl_->markedJoints.clear();
     impl_->markedBodies.clear();
     impl_->trail.clear();
@@ -388,7 +396,24 @@ void Scene::highlightBody(int body) {
         throw std::invalid_argument("There is no such body.");
     }
     impl_->highlightedBody = std::max(body, -1);
+    impl_->highlightedShape = -1;
     impl_->applyHighlights();
+    impl_->buildOverlays();
+}
+
+void Scene::highlightShape(int body, int shape) {
+    const auto within = [](int index, std::size_t count) {
+        return index >= 0 && index < static_cast<int>(count);
+    };
+    const auto& bodies = impl_->mechanism.bodies;
+    if (!within(body, bodies.size()) ||
+        !within(shape, bodies[static_cast<std::size_t>(body)].shapes.size())) {
+        throw std::invalid_argument("There is no such shape.");
+    }
+    impl_->highlightedBody = body;
+    impl_->highlightedShape = shape;
+    impl_->applyHighlights();
+    impl_->buildOverlays();
 }
 
 void Scene::mark(std::vector<int> joints, std::vector<int> bodies) {
@@ -420,6 +445,10 @@ int Scene::highlightedJoint() const {
 
 int Scene::highlightedBody() const {
     return impl_->highlightedBody;
+}
+
+int Scene::highlightedShape() const {
+    return impl_->highlightedShape;
 }
 
 void Scene::clearTrail() {

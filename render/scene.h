@@ -99,6 +99,9 @@ class Scene {
     /// -1: none.
     void highlightJoint(int joint);
     void highlightBody(int body);
+    /// One of a body's shapes, instead of the whole body. std::invalid_argument when there is no
+    /// such one.
+    void highlightShape(int body, int shape);
     /// Rings about several joints and a glow on several bodies, beside what is highlighted, until
     /// marked anew or another rover is shown. std::invalid_argument when there is no such one.
     void mark(std::vector<int> joints, std::vector<int> bodies);
@@ -107,6 +110,7 @@ class Scene {
     /// What is highlighted now; -1: nothing.
     int highlightedJoint() const;
     int highlightedBody() const;
+    int highlightedShape() const;  ///< of that body; -1: all of it
     void clearTrail();
     /// The trail of these instants of a run of this mechanism, in the order of time; shown up to
     /// the instant of the next setSnapshot().

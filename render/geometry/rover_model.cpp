@@ -105,6 +105,12 @@ osg::ref_ptr<osg::Geometry> makeBodyGeometry(const Mechanism& mechanism, int bod
     return mesh.build();
 }
 
+osg::ref_ptr<osg::Geometry> makeShapeGeometry(const Shape& shape) {
+    MeshBuilder mesh;
+    addShape(mesh, shape);
+    return mesh.build();
+}
+
 RoverBounds boundsOf(const Mechanism& mechanism) {
     Eigen::AlignedBox3d box;
     for (const auto& body : mechanism.bodies) {

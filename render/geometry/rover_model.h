@@ -13,6 +13,9 @@ namespace render {
 osg::ref_ptr<osg::Geometry> makeBodyGeometry(const simcore::mechanism::Mechanism& mechanism,
                                              int body);
 
+/// Of one shape of a body, in the same frame.
+osg::ref_ptr<osg::Geometry> makeShapeGeometry(const simcore::mechanism::Shape& shape);
+
 /// A ball around what is drawn of the rover.
 struct RoverBounds {
     simcore::Vec3 center = simcore::Vec3::Zero();  ///< rover frame, drawn pose [m]

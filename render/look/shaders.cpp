@@ -157,6 +157,9 @@ void main() {
     // Pale blue, denser at its edges, so that it is told from the rover itself.
     float edge = 1.0 - max(dot(n, v), 0.0);
     gl_FragColor = vec4(mix(screen, vec3(0.48, 0.75, 1.0), 0.65), 0.42 + 0.45 * edge * edge);
+#elif defined(BURIED)
+    // Amber as what is highlighted, seen through what it is in.
+    gl_FragColor = vec4(mix(screen, vec3(1.0, 0.58, 0.08), 0.7), 0.42);
 #else
     gl_FragColor = vec4(screen, 1.0);
 #endif
@@ -236,9 +239,10 @@ osg::Vec3 sunDirection() {
 }
 
 osg::ref_ptr<osg::Program> makeSurfaceProgram() {
-    return makeProgram("surface", kSurfaceVertex,
-                       std::string("#pragma import_defines(SHADOWS, PCF, TERRAIN, GRID, GHOST)\n") +
-                           kCommon + kSurfaceFragment);
+    return makeProgram(
+        "surface", kSurfaceVertex,
+        std::string("#pragma import_defines(SHADOWS, PCF, TERRAIN, GRID, GHOST, BURIED)\n") +
+            kCommon + kSurfaceFragment);
 }
 
 osg::ref_ptr<osg::Program> makeFlatProgram() {

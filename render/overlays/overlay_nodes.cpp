@@ -2,10 +2,15 @@
 
 #include <cmath>
 #include <numbers>
+#include <osg/BlendFunc>
+#include <osg/CullFace>
 #include <osg/Depth>
 #include <osg/Geode>
+#include <osg/MatrixTransform>
+#include <osg/PolygonOffset>
 
 #include "render/geometry/mesh_builder.h"
+#include "render/geometry/rover_model.h"
 #include "render/look/shaders.h"
 #include "render/overlays/support_polygon.h"
 
@@ -14,6 +19,8 @@ namespace render {
 namespace {
 
 using simcore::run::Snapshot;
+
+constexpr int kBuriedBin = 7;  // after the solid things and the sky
 
 osg::ref_ptr<osg::Geode> makeGeode(MeshBuilder& mesh) {
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
@@ -164,6 +171,28 @@ osg::ref_ptr<osg::Node> makeRing(const Vec3& center, const Vec3& axis, double ra
     bringForward(*geode);
     geode->getOrCreateStateSet()->addUniform(new osg::Uniform(uniform::kHighlight, 1.0F));
     return geode;
+}
+
+osg::ref_ptr<osg::Node> makeShapeMark(const simcore::mechanism::Shape& shape,
+                                      const osg::Matrixd& body) {
+    osg::ref_ptr<osg::Geode> seen = new osg::Geode;
+    osg::ref_ptr<osg::Geode> buried = new osg::Geode;
+    osg::ref_ptr<osg::MatrixTransform> mark = new osg::MatrixTransform(body);
+    const osg::ref_ptr<osg::Geometry> geometry = makeShapeGeometry(shape);
+    for (const auto& geode : {seen, buried}) {
+        geode->addDrawable(geometry);
+        mark->addChild(geode);
+    }
+    // Over the body's own picture of it.
+    mark->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(-1.0F, -1.0F));
+    seen->getOrCreateStateSet()->addUniform(new osg::Uniform(uniform::kHighlight, 1.0F));
+    osg::StateSet& through = *buried->getOrCreateStateSet();
+    through.setDefine("BURIED");
+    through.setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+    through.setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
+    through.setAttributeAndModes(new osg::Depth(osg::Depth::GREATER, 0.0, 1.0, false));
+    through.setRenderBinDetails(kBuriedBin, "RenderBin");
+    return mark;
 }
 
 }  // namespace render

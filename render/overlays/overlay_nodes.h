@@ -1,5 +1,6 @@
 #pragma once
 
+#include <osg/Matrixd>
 #include <osg/Node>
 #include <osg/ref_ptr>
 
@@ -25,6 +26,10 @@ osg::ref_ptr<osg::Node> makeAxes(double length);
 
 /// Ring around a pin; `axis` unit.
 osg::ref_ptr<osg::Node> makeRing(const Vec3& center, const Vec3& axis, double radius);
+
+/// A shape in amber on top of where it stands in its body, and through whatever hides it.
+osg::ref_ptr<osg::Node> makeShapeMark(const simcore::mechanism::Shape& shape,
+                                      const osg::Matrixd& body);
 
 /// Arrow with a shaft of this thickness [m].
 class MeshBuilder;

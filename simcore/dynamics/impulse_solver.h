@@ -166,7 +166,7 @@ class ImpulseSolver {
     double merit(const ImpulseProblem& problem, Way way, double share) const;
     double bestShare(const ImpulseProblem& problem, Way way) const;
 
-    RowMajor matrix_;  ///< with the right side as its last column
+    RowMajor matrix_;               ///< with the right side as its last column
     std::vector<ContactLaw> laws_;  ///< of every contact
     std::vector<Asked> asked_;      ///< of every contact
     std::vector<int> limits_;       ///< per scalar row: -1, 0, 1 where it is held at a limit

@@ -374,6 +374,43 @@ TEST_F(SceneTest, OnlyTheHighlightedBodyGlows) {
     EXPECT_TRUE(glowing().empty());
 }
 
+// A highlighted shape has its own mark, at its place in the instant on show; its body does not
+// glow.
+TEST_F(SceneTest, HighlightedShapeIsMarkedAlone) {
+    Pose pose = turnAbout(Vec3::Zero(), Vec3(0.3, 0.2, 1.0), 0.9);
+    pose.position = Vec3(1.0, 0.2, 0.1);
+    scene.setSnapshot(standing(mechanism, pose));
+    const auto& shapes = mechanism.bodies[index(mechanism.chassis)].shapes;
+    ASSERT_GT(shapes.size(), 1u);
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        scene.highlightShape(mechanism.chassis, static_cast<int>(k));
+        Eigen::AlignedBox3d found;
+        for (const DrawnVertex& vertex : verticesBelow(bodyNode("highlighted shape"))) {
+            found.extend(pose.inverse() * vertex.place);
+        }
+        const bool box = shapes[k].kind == simcore::project::ShapeKind::Box;
+        if (box && shapes[k].pitch == 0.0) {
+            EXPECT_LT((found.center() - shapes[k].center).norm(), 1e-5) << k;
+            EXPECT_LT((found.sizes() - shapes[k].size).norm(), 1e-5) << k;
+        }
+        EXPECT_LT(found.sizes().norm(), 4.0 * scene.focusRadius()) << k;
+    }
+    float glow = 1.0F;
+    bodyNode(mechanism.bodies[index(mechanism.chassis)].name)
+        .getOrCreateStateSet()
+        ->getUniform("highlight")
+        ->get(glow);
+    EXPECT_EQ(glow, 0.0F);
+    scene.highlightBody(mechanism.chassis);
+    EXPECT_EQ(findNode(*scene.root(), "highlighted shape"), nullptr);
+    scene.highlightShape(mechanism.chassis, 0);
+    scene.setMechanism(mechanism);
+    EXPECT_EQ(findNode(*scene.root(), "highlighted shape"), nullptr);
+    EXPECT_THROW(scene.highlightShape(mechanism.chassis, static_cast<int>(shapes.size())),
+                 std::invalid_argument);
+    EXPECT_THROW(scene.highlightShape(-1, 0), std::invalid_argument);
+}
+
 // There is no joint and no body beyond the last.
 TEST_F(SceneTest, HighlightBeyondTheLastIsRefused) {
     EXPECT_THROW(scene.highlightJoint(static_cast<int>(mechanism.joints.size())),

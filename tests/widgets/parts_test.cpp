@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QTabWidget>
 #include <QToolButton>
+#include <QToolTip>
 #include <QTreeWidget>
 #include <QUndoView>
 
@@ -385,9 +386,14 @@ TEST_F(PartsTest, ShapesAreBelowTheirBodyAndHavePropertiesOfTheirOwn) {
     clickShape("bogie", 0);
     EXPECT_EQ(tree->selected(), (ElementRef{ElementKind::Body, 2, 0}));
     EXPECT_EQ(panel->element(), tree->selected());
-    // Its body is marked in the 3-D view.
-    EXPECT_EQ(window->scene().highlightedBody(),
-              window->document().derived().mechanism->findBody("bogie_left"));
+    // It is marked in the 3-D view, and not the rest of its body.
+    const int marked = window->document().derived().mechanism->findBody("bogie_left");
+    EXPECT_EQ(window->scene().highlightedBody(), marked);
+    EXPECT_EQ(window->scene().highlightedShape(), 0);
+    click("Bodies", "bogie");
+    EXPECT_EQ(window->scene().highlightedBody(), marked);
+    EXPECT_EQ(window->scene().highlightedShape(), -1);
+    clickShape("bogie", 0);
     auto* width = panel->findChild<QuantityField*>("property:width");
     ASSERT_NE(width, nullptr);
     EXPECT_EQ(panel->findChild<QuantityField*>("property:radius"), nullptr);
@@ -422,6 +428,34 @@ TEST_F(PartsTest, ShapesOfEveryKindAreAddedByTheMenuSelectedAndUndone) {
             << toString(window->document().derived().problems);
     }
     EXPECT_EQ(window->document().undoStack().count(), 4);
+    undoAll();
+}
+
+// An expression longer than its field is told by the tooltip, with its value.
+TEST_F(PartsTest, LongExpressionsAreToldByTheTooltip) {
+    window->resize(1280, 800);
+    click("Bodies", "bogie");
+    addShapeByMenu("Cylinder");
+    const auto tip = [](QuantityField* field) {
+        QToolTip::hideText();
+        EXPECT_TRUE(waitUntil([] { return !QToolTip::isVisible(); }));
+        QHelpEvent ask(QEvent::ToolTip, field->rect().center(),
+                       field->mapToGlobal(field->rect().center()));
+        QApplication::sendEvent(field, &ask);
+        return QToolTip::text();
+    };
+    int cut = 0;
+    for (auto* field :
+         window->findChild<widgets::PropertyPanel*>()->findChildren<QuantityField*>()) {
+        if (field->text().contains('(')) {
+            ++cut;
+            EXPECT_TRUE(tip(field).startsWith(field->text() + " = ")) << tip(field).toStdString();
+        } else if (field->quantity().isLiteral()) {
+            EXPECT_EQ(tip(field), QString()) << field->text().toStdString();
+        }
+    }
+    EXPECT_GT(cut, 0);
+    QToolTip::hideText();
     undoAll();
 }
 

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QStyle>
 #include <QStyleOptionFrame>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <cmath>
 #include <utility>
@@ -143,6 +144,11 @@ bool QuantityField::event(QEvent* event) {
             return true;
         }
     }
+    if (event->type() == QEvent::ToolTip && refusal_.isEmpty() && isCut()) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        QToolTip::showText(help->globalPos(), text() + ' ' + shownValue(), this);
+        return true;
+    }
     return QLineEdit::event(event);
 }
 
@@ -201,6 +207,33 @@ QSize QuantityField::minimumSizeHint() const {
     return {fontMetrics().horizontalAdvance("-000.00 mm") + 12, QLineEdit::sizeHint().height()};
 }
 
+QString QuantityField::shownValue() const {
+    return value_
+               ? "= " + withUnit(simcore::project::formatIn(*value_, unit_.toStdString(), 5), unit_)
+               : QString();
+}
+
+QRect QuantityField::contents() const {
+    QStyleOptionFrame option;
+    initStyleOption(&option);
+    return style()
+        ->subElementRect(QStyle::SE_LineEditContents, &option, this)
+        .adjusted(2, 0, -4, 0);
+}
+
+/// Where the value stands behind an expression.
+QRect QuantityField::valuePlace() const {
+    QRect place = contents();
+    place.setLeft(place.right() - fontMetrics().horizontalAdvance(shownValue()) - 8);
+    return place;
+}
+
+bool QuantityField::isCut() const {
+    const int room = quantity_.isLiteral() || !value_ ? contents().width()
+                                                      : valuePlace().left() - contents().left();
+    return fontMetrics().horizontalAdvance(text()) > room;
+}
+
 void QuantityField::paintEvent(QPaintEvent* event) {
     QLineEdit::paintEvent(event);
     QPainter painter(this);
@@ -211,24 +244,20 @@ void QuantityField::paintEvent(QPaintEvent* event) {
     if (quantity_.isLiteral() || !value_ || hasFocus()) {
         return;
     }
-    const QString value =
-        "= " + withUnit(simcore::project::formatIn(*value_, unit_.toStdString(), 5), unit_);
-    QStyleOptionFrame option;
-    initStyleOption(&option);
-    QRect inside = style()->subElementRect(QStyle::SE_LineEditContents, &option, this);
-    inside.adjust(2, 0, -4, 0);
-    const int used = fontMetrics().horizontalAdvance(text()) + 10;
-    const int wanted = fontMetrics().horizontalAdvance(value) + 8;
-    QRect place = inside;
-    place.setLeft(place.right() - wanted);
-    if (used + wanted > inside.width()) {
-        // The expression is cut rather than its value.
-        painter.fillRect(place.adjusted(0, 0, 8, 0), palette().base());
-    }
+    const QRect place = valuePlace();
     QColor color = palette().text().color();
+    if (isCut()) {
+        // The expression is cut rather than its value.
+        const QString more(QChar(0x2026));
+        const int width = fontMetrics().horizontalAdvance(more) + 4;
+        const QRect gap(place.left() - width, place.top(), width, place.height());
+        painter.fillRect(gap.united(place).adjusted(0, 0, 8, 0), palette().base());
+        painter.setPen(color);
+        painter.drawText(gap, Qt::AlignLeft | Qt::AlignVCenter, more);
+    }
     color.setAlphaF(0.6F);
     painter.setPen(color);
-    painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter, value);
+    painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter, shownValue());
 }
 
 }  // namespace widgets

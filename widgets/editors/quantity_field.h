@@ -55,6 +55,12 @@ class QuantityField : public QLineEdit {
     void step(int count);
     void refuse(const QString& why);
     QString shownText() const;
+    /// "= 12 mm"; empty where an expression has no value.
+    QString shownValue() const;
+    QRect contents() const;
+    QRect valuePlace() const;
+    /// Whether the text has not all its room; the tooltip then tells it.
+    bool isCut() const;
 
     const Document* document_;
     QString element_, unit_;

@@ -568,7 +568,9 @@ void MainWindow::selectElement(ElementRef element) {
         link_->highlightJoint(joint);
         selectInMobility(joint);
     } else if (element.kind == ElementKind::Body) {
-        link_->highlightBody(copyOf([&](const std::string& n) { return shown.findBody(n); }));
+        // A shape as one of its body; -1, the whole of it.
+        link_->highlightShape(copyOf([&](const std::string& n) { return shown.findBody(n); }),
+                              element.shape);
     } else if (element.kind == ElementKind::Wheel) {
         const int wheel =
             shown.findWheel(copyOf([&](const std::string& n) { return shown.findWheel(n); }));

@@ -269,7 +269,12 @@ void SceneLink::highlightJoint(const std::string& joint) {
 }
 
 void SceneLink::highlightBody(const std::string& body) {
+    highlightShape(body, -1);
+}
+
+void SceneLink::highlightShape(const std::string& body, int shape) {
     highlightedBody_ = body;
+    highlightedShape_ = shape;
     highlightedJoint_.clear();
     showHighlight();
     emit highlightChanged({}, QString::fromStdString(body));
@@ -288,7 +293,17 @@ void SceneLink::mark(std::vector<std::string> joints, std::vector<std::string> b
 
 void SceneLink::showHighlight() {
     scene_->highlightJoint(mechanism_.findJoint(highlightedJoint_));
-    scene_->highlightBody(mechanism_.findBody(highlightedBody_));
+    const int body = mechanism_.findBody(highlightedBody_);
+    // What is welded to another body shows as all of that, in which its shapes come later.
+    const auto hasShape = [&](const simcore::mechanism::Body& of) {
+        return of.name == highlightedBody_ && highlightedShape_ >= 0 &&
+               highlightedShape_ < static_cast<int>(of.shapes.size());
+    };
+    if (body >= 0 && hasShape(mechanism_.bodies[static_cast<std::size_t>(body)])) {
+        scene_->highlightShape(body, highlightedShape_);
+    } else {
+        scene_->highlightBody(body);
+    }
     const auto found = [](const std::vector<std::string>& names, const auto& find) {
         std::vector<int> indices;
         for (const std::string& name : names) {

@@ -39,6 +39,8 @@ class SceneLink : public QObject {
     /// By name, as a run may have more joints and bodies than the design: "" = none.
     void highlightJoint(const std::string& joint);
     void highlightBody(const std::string& body);
+    /// One of its shapes instead of all of it.
+    void highlightShape(const std::string& body, int shape);
 
     /// Marks several, beside what is highlighted; by name, too.
     void mark(std::vector<std::string> joints, std::vector<std::string> bodies);
@@ -96,6 +98,7 @@ class SceneLink : public QObject {
     simcore::mechanism::Mechanism mechanism_;  ///< of what is on show
     // By name: an edit may give the element another place.
     std::string highlightedJoint_, highlightedBody_;
+    int highlightedShape_ = -1;  ///< of that body; -1: all of it
     std::vector<std::string> markedJoints_, markedBodies_;
     QString scenario_;
     simcore::mobility::Model model_ = simcore::mobility::Model::Built;
