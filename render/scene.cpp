@@ -58,6 +58,16 @@ Snapshot drawnPose(const Mechanism& mechanism) {
     return snapshot;
 }
 
+bool contains(const std::vector<int>& indices, int index) {
+    return std::find(indices.begin(), indices.end(), index) != indices.end();
+}
+
+bool allWithin(const std::vector<int>& indices, std::size_t count) {
+    return std::all_of(indices.begin(), indices.end(), [count](int index) {
+        return index >= 0 && index < static_cast<int>(count);
+    });
+}
+
 osg::ref_ptr<osg::MatrixTransform> makeBody(const Mechanism& mechanism, int body) {
     osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform;
     transform->setDataVariance(osg::Object::DYNAMIC);
@@ -78,9 +88,7 @@ struct Scene::Impl {
     Quality quality;
     RoverBounds bounds;
     std::vector<int> freedomCounts;
-    int highlightedJoint = -1;
-    int highlightedBody = -1;
-    int highlightedShape = -1;  ///< of that body; -1: all of it
+    Highlight highlight;
     std::vector<int> markedJoints, markedBodies;
 
     osg::ref_ptr<osg::Group> root = new osg::Group;
@@ -234,9 +242,8 @@ void Scene::Impl::place() {
 
 void Scene::Impl::applyHighlights() {
     for (std::size_t i = 0; i < highlights.size(); ++i) {
-        const bool marked = std::find(markedBodies.begin(), markedBodies.end(),
-                                      static_cast<int>(i)) != markedBodies.end();
-        const bool whole = static_cast<int>(i) == highlightedBody && highlightedShape < 0;
+        const bool marked = contains(markedBodies, static_cast<int>(i));
+        const bool whole = highlight.shape < 0 && contains(highlight.bodies, static_cast<int>(i));
         highlights[i]->set(marked || whole ? 1.0F : 0.0F);
     }
 }
@@ -284,13 +291,13 @@ void Scene::Impl::buildOverlays() {
     for (const int joint : markedJoints) {
         ring("marked joint", joint, 0.055 * size);
     }
-    if (highlightedJoint >= 0) {
-        ring("highlighted joint", highlightedJoint, 0.09 * size);
+    for (const int joint : highlight.joints) {
+        ring("highlighted joint", joint, 0.09 * size);
     }
-    if (highlightedShape >= 0) {
-        const auto body = static_cast<std::size_t>(highlightedBody);
+    for (std::size_t i = 0; highlight.shape >= 0 && i < highlight.bodies.size(); ++i) {
+        const auto body = static_cast<std::size_t>(highlight.bodies[i]);
         add("highlighted shape",
-            makeShapeMark(mechanism.bodies[body].shapes[static_cast<std::size_t>(highlightedShape)],
+            makeShapeMark(mechanism.bodies[body].shapes[static_cast<std::size_t>(highlight.shape)],
                           matrixOf(snapshot.bodies[body])));
     }
     std::vector<Badge> labels;
@@ -318,7 +325,7 @@ osg::Group* Scene::root() {
 void Scene::setMechanism(const Mechanism& mechanism) {
     impl_->mechanism = mechanism;
     impl_->freedomCounts.clear();
-    impl_->highlightedJoint = impl_->highlightedBody = impl_->highlightedShape = -1;
+    impl_->highlight = {};
     impl_->markedJoints.clear();
     impl_->markedBodies.clear();
     impl_->trail.clear();
@@ -383,46 +390,24 @@ void Scene::setJointFreedomCounts(std::vector<int> counts) {
     impl_->buildOverlays();
 }
 
-void Scene::highlightJoint(int joint) {
-    if (joint >= static_cast<int>(impl_->mechanism.joints.size())) {
-        throw std::invalid_argument("There is no such joint.");
-    }
-    impl_->highlightedJoint = std::max(joint, -1);
-    impl_->buildOverlays();
-}
-
-void Scene::highlightBody(int body) {
-    if (body >= static_cast<int>(impl_->bodies.size())) {
-        throw std::invalid_argument("There is no such body.");
-    }
-    impl_->highlightedBody = std::max(body, -1);
-    impl_->highlightedShape = -1;
-    impl_->applyHighlights();
-    impl_->buildOverlays();
-}
-
-void Scene::highlightShape(int body, int shape) {
-    const auto within = [](int index, std::size_t count) {
-        return index >= 0 && index < static_cast<int>(count);
-    };
+void Scene::highlight(Highlight what) {
     const auto& bodies = impl_->mechanism.bodies;
-    if (!within(body, bodies.size()) ||
-        !within(shape, bodies[static_cast<std::size_t>(body)].shapes.size())) {
-        throw std::invalid_argument("There is no such shape.");
+    const auto hasShape = [&](int body) {
+        return what.shape < static_cast<int>(bodies[static_cast<std::size_t>(body)].shapes.size());
+    };
+    if (!allWithin(what.joints, impl_->mechanism.joints.size()) ||
+        !allWithin(what.bodies, bodies.size()) ||
+        !std::all_of(what.bodies.begin(), what.bodies.end(), hasShape)) {
+        throw std::invalid_argument("There is no such joint, body or shape.");
     }
-    impl_->highlightedBody = body;
-    impl_->highlightedShape = shape;
+    impl_->highlight = std::move(what);
     impl_->applyHighlights();
     impl_->buildOverlays();
 }
 
 void Scene::mark(std::vector<int> joints, std::vector<int> bodies) {
-    const auto within = [](const std::vector<int>& indices, std::size_t count) {
-        return std::all_of(indices.begin(), indices.end(), [&](int index) {
-            return index >= 0 && index < static_cast<int>(count);
-        });
-    };
-    if (!within(joints, impl_->mechanism.joints.size()) || !within(bodies, impl_->bodies.size())) {
+    if (!allWithin(joints, impl_->mechanism.joints.size()) ||
+        !allWithin(bodies, impl_->bodies.size())) {
         throw std::invalid_argument("There is no such joint or body.");
     }
     impl_->markedJoints = std::move(joints);
@@ -439,16 +424,8 @@ const std::vector<int>& Scene::markedBodies() const {
     return impl_->markedBodies;
 }
 
-int Scene::highlightedJoint() const {
-    return impl_->highlightedJoint;
-}
-
-int Scene::highlightedBody() const {
-    return impl_->highlightedBody;
-}
-
-int Scene::highlightedShape() const {
-    return impl_->highlightedShape;
+const Scene::Highlight& Scene::highlighted() const {
+    return impl_->highlight;
 }
 
 void Scene::clearTrail() {

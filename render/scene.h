@@ -96,21 +96,22 @@ class Scene {
     const Overlays& overlays() const;
     /// One count per joint of the mechanism, e.g. 6 minus the constraints; empty: none shown.
     void setJointFreedomCounts(std::vector<int> counts);
-    /// -1: none.
-    void highlightJoint(int joint);
-    void highlightBody(int body);
-    /// One of a body's shapes, instead of the whole body. std::invalid_argument when there is no
-    /// such one.
-    void highlightShape(int body, int shape);
+
+    /// What is selected; until another rover is shown. std::invalid_argument when there is no such
+    /// joint, body or shape.
+    struct Highlight {
+        std::vector<int> joints;  ///< wear rings
+        std::vector<int> bodies;  ///< glow
+        int shape = -1;           ///< of each of these bodies, which then does not; -1: all of it
+    };
+
+    void highlight(Highlight what);
     /// Rings about several joints and a glow on several bodies, beside what is highlighted, until
     /// marked anew or another rover is shown. std::invalid_argument when there is no such one.
     void mark(std::vector<int> joints, std::vector<int> bodies);
     const std::vector<int>& markedJoints() const;
     const std::vector<int>& markedBodies() const;
-    /// What is highlighted now; -1: nothing.
-    int highlightedJoint() const;
-    int highlightedBody() const;
-    int highlightedShape() const;  ///< of that body; -1: all of it
+    const Highlight& highlighted() const;
     void clearTrail();
     /// The trail of these instants of a run of this mechanism, in the order of time; shown up to
     /// the instant of the next setSnapshot().

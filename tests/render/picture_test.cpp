@@ -205,9 +205,9 @@ TEST_F(PictureTest, WheelsAreWhereTheirBodiesAre) {
     const Image plain = draw(View::Side);
     for (const char* name : {"bogie_right_front", "bogie_right_rear"}) {
         const auto& wheel = mechanism.wheels[static_cast<std::size_t>(mechanism.findWheel(name))];
-        scene->highlightBody(wheel.body);
+        scene->highlight({{}, {wheel.body}});
         const auto pixels = changed(plain, draw(View::Side), 3);
-        scene->highlightBody(-1);
+        scene->highlight({});
         const Vec3 face = pose * (wheel.center - 0.5 * wheel.width * Vec3::UnitY());
         const double radius = wheel.radius * side.pixelsPerMetre(face);
         for (const Pixel p : pixels) {
@@ -427,9 +427,9 @@ TEST_F(PictureTest, WallHidesWhatIsBehindIt) {
         camera.eye = Vec3(side * 4.5, 0.3, 0.5);
         camera.center = Vec3(0.0, 0.0, 0.3);
         const Image plain = draw(camera);
-        scene->highlightBody(mechanism.chassis);
+        scene->highlight({{}, {mechanism.chassis}});
         const auto pixels = changed(plain, draw(camera), 3);
-        scene->highlightBody(-1);
+        scene->highlight({});
         EXPECT_EQ(pixels.empty(), side > 0.0) << "seen from x = " << camera.eye.x();
     }
 }

@@ -307,7 +307,7 @@ TEST_F(SceneTest, HighlightedJointWearsARing) {
     for (const auto& name : {"fork_a", "rear_axle"}) {
         const int joint = mechanism.findJoint(name);
         ASSERT_GE(joint, 0) << name;
-        scene.highlightJoint(joint);
+        scene.highlight({{joint}, {}});
         const Vec3 place = pose * mechanism.joints[index(joint)].point;
         const Vec3 axis = pose.rotation * mechanism.joints[index(joint)].axis;
         Eigen::AlignedBox3d box;
@@ -318,7 +318,7 @@ TEST_F(SceneTest, HighlightedJointWearsARing) {
         }
         EXPECT_LT((box.center() - place).norm(), 0.02 * scene.focusRadius()) << name;
     }
-    scene.highlightJoint(-1);
+    scene.highlight({});
     EXPECT_EQ(findNode(*scene.root(), "highlighted joint"), nullptr);
 }
 
@@ -332,11 +332,11 @@ TEST_F(SceneTest, MarkedJointsWearRingsBesideTheHighlightedOne) {
         }
         return count;
     };
-    scene.highlightJoint(0);
+    scene.highlight({{0}, {}});
     EXPECT_EQ(rings(), 0);
     scene.mark({1, 2, 4}, {0, 3});
     EXPECT_EQ(rings(), 3);
-    EXPECT_EQ(scene.highlightedJoint(), 0);
+    EXPECT_EQ(scene.highlighted().joints, std::vector<int>{0});
     EXPECT_EQ(scene.markedBodies(), (std::vector<int>{0, 3}));
     float glow = 0.0F;
     bodyNode(mechanism.bodies[3].name).getOrCreateStateSet()->getUniform("highlight")->get(glow);
@@ -363,13 +363,13 @@ TEST_F(SceneTest, OnlyTheHighlightedBodyGlows) {
         }
         return bodies;
     };
-    scene.highlightBody(2);
+    scene.highlight({{}, {2}});
     EXPECT_EQ(glowing(), std::vector<int>{2});
-    scene.highlightBody(0);
-    EXPECT_EQ(glowing(), std::vector<int>{0});
-    scene.highlightBody(-1);
+    scene.highlight({{}, {0, 3}});  // both copies of a mirrored one
+    EXPECT_EQ(glowing(), (std::vector<int>{0, 3}));
+    scene.highlight({});
     EXPECT_TRUE(glowing().empty());
-    scene.highlightBody(3);
+    scene.highlight({{}, {3}});
     scene.setMechanism(mechanism);
     EXPECT_TRUE(glowing().empty());
 }
@@ -383,7 +383,7 @@ TEST_F(SceneTest, HighlightedShapeIsMarkedAlone) {
     const auto& shapes = mechanism.bodies[index(mechanism.chassis)].shapes;
     ASSERT_GT(shapes.size(), 1u);
     for (std::size_t k = 0; k < shapes.size(); ++k) {
-        scene.highlightShape(mechanism.chassis, static_cast<int>(k));
+        scene.highlight({{}, {mechanism.chassis}, static_cast<int>(k)});
         Eigen::AlignedBox3d found;
         for (const DrawnVertex& vertex : verticesBelow(bodyNode("highlighted shape"))) {
             found.extend(pose.inverse() * vertex.place);
@@ -401,21 +401,21 @@ TEST_F(SceneTest, HighlightedShapeIsMarkedAlone) {
         ->getUniform("highlight")
         ->get(glow);
     EXPECT_EQ(glow, 0.0F);
-    scene.highlightBody(mechanism.chassis);
+    scene.highlight({{}, {mechanism.chassis}});
     EXPECT_EQ(findNode(*scene.root(), "highlighted shape"), nullptr);
-    scene.highlightShape(mechanism.chassis, 0);
+    scene.highlight({{}, {mechanism.chassis}, 0});
     scene.setMechanism(mechanism);
     EXPECT_EQ(findNode(*scene.root(), "highlighted shape"), nullptr);
-    EXPECT_THROW(scene.highlightShape(mechanism.chassis, static_cast<int>(shapes.size())),
+    EXPECT_THROW(scene.highlight({{}, {mechanism.chassis}, static_cast<int>(shapes.size())}),
                  std::invalid_argument);
-    EXPECT_THROW(scene.highlightShape(-1, 0), std::invalid_argument);
+    EXPECT_THROW(scene.highlight({{}, {-1}, 0}), std::invalid_argument);
 }
 
 // There is no joint and no body beyond the last.
 TEST_F(SceneTest, HighlightBeyondTheLastIsRefused) {
-    EXPECT_THROW(scene.highlightJoint(static_cast<int>(mechanism.joints.size())),
+    EXPECT_THROW(scene.highlight({{static_cast<int>(mechanism.joints.size())}, {}}),
                  std::invalid_argument);
-    EXPECT_THROW(scene.highlightBody(static_cast<int>(mechanism.bodies.size())),
+    EXPECT_THROW(scene.highlight({{}, {static_cast<int>(mechanism.bodies.size())}}),
                  std::invalid_argument);
 }
 

@@ -176,7 +176,9 @@ TEST_F(AdvisorPanelTest, SelectedProposalIsMarkedAndAChosenJointIsSelectedEveryw
     ASSERT_TRUE(list()->topLevelItem(1)->isExpanded());
     list()->setCurrentItem(change);
     const auto& chosen = proposal.changes.front();
-    EXPECT_EQ(window->scene().highlightedJoint(), mechanism().findJoint(chosen.copies.front()));
+    ASSERT_FALSE(window->scene().highlighted().joints.empty());
+    EXPECT_EQ(window->scene().highlighted().joints.front(),
+              mechanism().findJoint(chosen.copies.front()));
     const auto* tree = window->findChild<widgets::PartsTree*>();
     EXPECT_EQ(tree->selected().kind, simcore::project::ElementKind::Joint);
     EXPECT_EQ(tree->selected().index, chosen.joint);

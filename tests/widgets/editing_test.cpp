@@ -261,12 +261,12 @@ TEST_F(EditingTest, ChoosingARemovableConstraintSelectsItsJoint) {
     EXPECT_EQ(nameOf(window->document().project(), panel->element()), "bogie_{side}_lower_front");
     // It is marked in the 3D view, also after an edit has drawn the rover anew.
     const auto marked = [this] {
-        const int joint = window->scene().highlightedJoint();
-        return joint < 0 ? std::string()
-                         : window->document()
-                               .derived()
-                               .mechanism->joints.at(static_cast<std::size_t>(joint))
-                               .name;
+        const std::vector<int>& joints = window->scene().highlighted().joints;
+        return joints.size() != 1 ? std::string()
+                                  : window->document()
+                                        .derived()
+                                        .mechanism->joints.at(static_cast<std::size_t>(joints[0]))
+                                        .name;
     };
     EXPECT_EQ(marked(), "bogie_right_lower_front");
     find<QTabWidget>("editors")->setCurrentIndex(0);

@@ -96,13 +96,14 @@ TEST_F(GraphPanelTest, ClickSelectsEverywhereAndSelectionMarksTheGraph) {
     QGraphicsItem* fork = itemOf("fork_a", true);
     ASSERT_NE(fork, nullptr);
     fork->setSelected(true);
-    EXPECT_EQ(window->scene().highlightedJoint(), mechanism().findJoint("fork_a"));
+    EXPECT_EQ(window->scene().highlighted().joints,
+              std::vector<int>{mechanism().findJoint("fork_a")});
     const auto* tree = window->findChild<widgets::PartsTree*>();
     EXPECT_EQ(tree->selected().kind, simcore::project::ElementKind::Joint);
     QGraphicsItem* chassis = itemOf(QString::fromStdString(mechanism().bodies.front().name), false);
     QTest::mouseClick(view().viewport(), Qt::LeftButton, {},
                       view().mapFromScene(chassis->boundingRect().center()));
-    EXPECT_EQ(window->scene().highlightedBody(), 0);
+    EXPECT_EQ(window->scene().highlighted().bodies, std::vector<int>{0});
     EXPECT_FALSE(fork->isSelected());
     EXPECT_TRUE(chassis->isSelected());
     // The other way: a joint chosen in the mobility panel.

@@ -386,13 +386,15 @@ TEST_F(PartsTest, ShapesAreBelowTheirBodyAndHavePropertiesOfTheirOwn) {
     clickShape("bogie", 0);
     EXPECT_EQ(tree->selected(), (ElementRef{ElementKind::Body, 2, 0}));
     EXPECT_EQ(panel->element(), tree->selected());
-    // It is marked in the 3-D view, and not the rest of its body.
-    const int marked = window->document().derived().mechanism->findBody("bogie_left");
-    EXPECT_EQ(window->scene().highlightedBody(), marked);
-    EXPECT_EQ(window->scene().highlightedShape(), 0);
+    // It is marked in the 3-D view on both sides, and not the rest of its body.
+    const auto& mechanism = *window->document().derived().mechanism;
+    const std::vector<int> both{mechanism.findBody("bogie_left"),
+                                mechanism.findBody("bogie_right")};
+    EXPECT_EQ(window->scene().highlighted().bodies, both);
+    EXPECT_EQ(window->scene().highlighted().shape, 0);
     click("Bodies", "bogie");
-    EXPECT_EQ(window->scene().highlightedBody(), marked);
-    EXPECT_EQ(window->scene().highlightedShape(), -1);
+    EXPECT_EQ(window->scene().highlighted().bodies, both);
+    EXPECT_EQ(window->scene().highlighted().shape, -1);
     clickShape("bogie", 0);
     auto* width = panel->findChild<QuantityField*>("property:width");
     ASSERT_NE(width, nullptr);

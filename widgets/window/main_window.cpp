@@ -557,28 +557,39 @@ void MainWindow::selectElement(ElementRef element) {
         return;
     }
     editors_->setCurrentWidget(properties_);
-    // A mirrored element stands for both; its left one is shown.
     const simcore::mechanism::Mechanism& shown = link_->mechanism();
     const std::string& name = nameOf(document_->project(), element);
-    const auto copyOf = [&](auto finder) {
-        return finder(name) >= 0 ? name : nameOnSide(name, simcore::project::Side::Left);
+    // A mirrored element stands for both sides, which are all shown, the left one first.
+    const auto copies = [&name](auto finder) {
+        using simcore::project::Side;
+        std::vector<std::string> found;
+        for (const std::string& copy :
+             {name, nameOnSide(name, Side::Left), nameOnSide(name, Side::Right)}) {
+            if (finder(copy) >= 0 && (found.empty() || found.back() != copy)) {
+                found.push_back(copy);
+            }
+        }
+        return found;
     };
     if (element.kind == ElementKind::Joint) {
-        const std::string joint = copyOf([&](const std::string& n) { return shown.findJoint(n); });
-        link_->highlightJoint(joint);
-        selectInMobility(joint);
+        const std::vector<std::string> joints =
+            copies([&](const std::string& n) { return shown.findJoint(n); });
+        link_->highlightJoints(joints);
+        selectInMobility(joints.empty() ? std::string() : joints.front());
     } else if (element.kind == ElementKind::Body) {
         // A shape as one of its body; -1, the whole of it.
-        link_->highlightShape(copyOf([&](const std::string& n) { return shown.findBody(n); }),
-                              element.shape);
+        link_->highlightBodies(copies([&](const std::string& n) { return shown.findBody(n); }),
+                               element.shape);
     } else if (element.kind == ElementKind::Wheel) {
-        const int wheel =
-            shown.findWheel(copyOf([&](const std::string& n) { return shown.findWheel(n); }));
-        link_->highlightBody(
-            wheel < 0 ? std::string()
-                      : nameAt(shown.bodies, shown.wheels[static_cast<std::size_t>(wheel)].body));
+        const auto find = [&](const std::string& n) { return shown.findWheel(n); };
+        std::vector<std::string> bodies;
+        for (const std::string& wheel : copies(find)) {
+            const int body = shown.wheels[static_cast<std::size_t>(find(wheel))].body;
+            bodies.push_back(nameAt(shown.bodies, body));
+        }
+        link_->highlightBodies(std::move(bodies));
     } else {
-        link_->highlightJoint({});
+        link_->highlightJoints({});
     }
 }
 
@@ -588,7 +599,7 @@ void MainWindow::selectInMobility(const std::string& joint) {
 }
 
 void MainWindow::selectJoint(const std::string& joint, bool more) {
-    link_->highlightJoint(joint);
+    link_->highlightJoints(joint.empty() ? std::vector<std::string>() : std::vector{joint});
     if (joint.empty()) {
         return;
     }
@@ -604,7 +615,7 @@ void MainWindow::selectBody(const std::string& body, bool more) {
     if (more && body.empty()) {
         return;  // a click beside the rover while collecting parts
     }
-    link_->highlightBody(body);
+    link_->highlightBodies(body.empty() ? std::vector<std::string>() : std::vector{body});
     mobility_->selectJoint(-1);
     if (body.empty()) {
         tree_->select({});

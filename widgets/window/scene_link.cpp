@@ -30,6 +30,10 @@ ParameterValues parametersFor(const simcore::project::Scenario& scenario,
     return fixed ? ParameterValues() : parameters;
 }
 
+QString firstOf(const std::vector<std::string>& names) {
+    return names.empty() ? QString() : QString::fromStdString(names.front());
+}
+
 }  // namespace
 
 SceneLink::SceneLink(Document* document, RunSession* session, RunLibrary* library,
@@ -260,24 +264,20 @@ void SceneLink::setOverlays(const render::Overlays& overlays) {
     redraw();
 }
 
-void SceneLink::highlightJoint(const std::string& joint) {
-    highlightedJoint_ = joint;
-    highlightedBody_.clear();
+void SceneLink::highlightJoints(std::vector<std::string> joints) {
+    highlightedJoints_ = std::move(joints);
+    highlightedBodies_.clear();
     showHighlight();
-    emit highlightChanged(QString::fromStdString(joint), {});
+    emit highlightChanged(firstOf(highlightedJoints_), {});
     redraw();
 }
 
-void SceneLink::highlightBody(const std::string& body) {
-    highlightShape(body, -1);
-}
-
-void SceneLink::highlightShape(const std::string& body, int shape) {
-    highlightedBody_ = body;
+void SceneLink::highlightBodies(std::vector<std::string> bodies, int shape) {
+    highlightedBodies_ = std::move(bodies);
     highlightedShape_ = shape;
-    highlightedJoint_.clear();
+    highlightedJoints_.clear();
     showHighlight();
-    emit highlightChanged({}, QString::fromStdString(body));
+    emit highlightChanged({}, firstOf(highlightedBodies_));
     redraw();
 }
 
@@ -292,18 +292,6 @@ void SceneLink::mark(std::vector<std::string> joints, std::vector<std::string> b
 }
 
 void SceneLink::showHighlight() {
-    scene_->highlightJoint(mechanism_.findJoint(highlightedJoint_));
-    const int body = mechanism_.findBody(highlightedBody_);
-    // What is welded to another body shows as all of that, in which its shapes come later.
-    const auto hasShape = [&](const simcore::mechanism::Body& of) {
-        return of.name == highlightedBody_ && highlightedShape_ >= 0 &&
-               highlightedShape_ < static_cast<int>(of.shapes.size());
-    };
-    if (body >= 0 && hasShape(mechanism_.bodies[static_cast<std::size_t>(body)])) {
-        scene_->highlightShape(body, highlightedShape_);
-    } else {
-        scene_->highlightBody(body);
-    }
     const auto found = [](const std::vector<std::string>& names, const auto& find) {
         std::vector<int> indices;
         for (const std::string& name : names) {
@@ -313,9 +301,26 @@ void SceneLink::showHighlight() {
         }
         return indices;
     };
-    scene_->mark(
-        found(markedJoints_, [&](const std::string& name) { return mechanism_.findJoint(name); }),
-        found(markedBodies_, [&](const std::string& name) { return mechanism_.findBody(name); }));
+    const auto joints = [&](const std::vector<std::string>& names) {
+        return found(names, [&](const std::string& name) { return mechanism_.findJoint(name); });
+    };
+    const auto bodies = [&](const std::vector<std::string>& names) {
+        return found(names, [&](const std::string& name) { return mechanism_.findBody(name); });
+    };
+    render::Scene::Highlight shown{joints(highlightedJoints_), bodies(highlightedBodies_),
+                                   highlightedShape_};
+    // What is welded to another body shows as all of that, in which its shapes come later.
+    const auto hasShape = [&](int index) {
+        const auto& body = mechanism_.bodies[static_cast<std::size_t>(index)];
+        return shown.shape < static_cast<int>(body.shapes.size()) &&
+               std::find(highlightedBodies_.begin(), highlightedBodies_.end(), body.name) !=
+                   highlightedBodies_.end();
+    };
+    if (!std::all_of(shown.bodies.begin(), shown.bodies.end(), hasShape)) {
+        shown.shape = -1;
+    }
+    scene_->highlight(std::move(shown));
+    scene_->mark(joints(markedJoints_), bodies(markedBodies_));
 }
 
 void SceneLink::redraw() {

@@ -37,10 +37,10 @@ class SceneLink : public QObject {
     void setModel(simcore::mobility::Model model);
     void setOverlays(const render::Overlays& overlays);
     /// By name, as a run may have more joints and bodies than the design: "" = none.
-    void highlightJoint(const std::string& joint);
-    void highlightBody(const std::string& body);
-    /// One of its shapes instead of all of it.
-    void highlightShape(const std::string& body, int shape);
+    /// Both copies of a mirrored one, the first of them to other views; none: nothing is.
+    void highlightJoints(std::vector<std::string> joints);
+    /// @param shape  of each of them, instead of the whole body; -1: all of it
+    void highlightBodies(std::vector<std::string> bodies, int shape = -1);
 
     /// Marks several, beside what is highlighted; by name, too.
     void mark(std::vector<std::string> joints, std::vector<std::string> bodies);
@@ -97,8 +97,8 @@ class SceneLink : public QObject {
     Viewport* viewport_;
     simcore::mechanism::Mechanism mechanism_;  ///< of what is on show
     // By name: an edit may give the element another place.
-    std::string highlightedJoint_, highlightedBody_;
-    int highlightedShape_ = -1;  ///< of that body; -1: all of it
+    std::vector<std::string> highlightedJoints_, highlightedBodies_;
+    int highlightedShape_ = -1;  ///< of each of these bodies; -1: all of it
     std::vector<std::string> markedJoints_, markedBodies_;
     QString scenario_;
     simcore::mobility::Model model_ = simcore::mobility::Model::Built;

@@ -131,7 +131,7 @@ void Tour::addAdvisorSteps() {
                          "much of it others hold already."),
                       "removableList",
                       [this] {
-                          return window_->scene().highlightedJoint() >= 0 &&
+                          return !window_->scene().highlighted().joints.empty() &&
                                  window_->findChild<QTreeWidget*>("removableList")->currentItem() !=
                                      nullptr;
                       },
