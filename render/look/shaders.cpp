@@ -147,7 +147,10 @@ void main() {
     vec3 rim = f0 + (max(vec3(1.0 - rough), f0) - f0) * pow(1.0 - ndv, 5.0);
     vec3 color = base * (1.0 - finish.y) * (ambient + sun) + rim * around +
                  fresnel * min(glint, 12.0) * sun * 0.32;
-    color += highlight * vec3(0.55, 0.27, 0.02) * (0.35 + 0.65 * (1.0 - ndv));
+    // Lit from within: orange brighter and more colourful than sand or anodised parts.
+    vec3 orange = vec3(1.0, 0.24, 0.01) * (0.6 + 0.5 * dot(color, vec3(0.3, 0.5, 0.2)));
+    color = mix(color, orange, 0.85 * highlight);
+    color += highlight * vec3(0.5, 0.2, 0.0) * (1.0 - ndv);
 #endif
     float haze = length(worldPosition.xy - fogCenter.xy);
     float clear = exp2(-haze * haze * 0.0042);
