@@ -14,6 +14,8 @@
 #include <osgViewer/Viewer>
 #include <stdexcept>
 
+#include "simcore/base/text.h"
+
 namespace render {
 
 namespace {
@@ -56,8 +58,8 @@ class Target {
 };
 
 simcore::Problem noOpenGl(const std::string& reason) {
-    return {simcore::Severity::Critical, "picture", reason,
-            "Install an OpenGL driver with EGL, e.g. Mesa's software renderer."};
+    return {simcore::Severity::Critical, simcore::Text::of("picture"), reason,
+            simcore::Text::of("Install an OpenGL driver with EGL, e.g. Mesa's software renderer.")};
 }
 
 }  // namespace
@@ -86,11 +88,11 @@ std::string OffscreenRenderer::Impl::makeContext() {
     const auto getDisplay = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
         eglGetProcAddress("eglGetPlatformDisplayEXT"));
     if (getDisplay == nullptr) {
-        return "This machine's EGL has no platform displays.";
+        return simcore::Text::of("This machine's EGL has no platform displays.");
     }
     display = getDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) {
-        return "EGL's surfaceless platform is not available.";
+        return simcore::Text::of("EGL's surfaceless platform is not available.");
     }
     eglBindAPI(EGL_OPENGL_API);
     const EGLint wanted[] = {EGL_SURFACE_TYPE,
@@ -107,14 +109,14 @@ std::string OffscreenRenderer::Impl::makeContext() {
     EGLConfig config = nullptr;
     EGLint found = 0;
     if (eglChooseConfig(display, wanted, &config, 1, &found) != EGL_TRUE || found == 0) {
-        return "EGL offers no configuration for OpenGL.";
+        return simcore::Text::of("EGL offers no configuration for OpenGL.");
     }
     const EGLint size[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
     surface = eglCreatePbufferSurface(display, config, size);
     context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
     if (context == EGL_NO_CONTEXT ||
         eglMakeCurrent(display, surface, surface, context) != EGL_TRUE) {
-        return "No OpenGL context could be made.";
+        return simcore::Text::of("No OpenGL context could be made.");
     }
     name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     return {};
@@ -126,7 +128,8 @@ std::string OffscreenRenderer::Impl::makeTargets() {
         resolved = std::make_unique<Target>(width, height, 0);
     }
     const bool complete = drawn->complete() && (resolved == nullptr || resolved->complete());
-    return complete ? std::string() : "The frame buffer for the picture could not be made.";
+    return complete ? std::string()
+                    : simcore::Text::of("The frame buffer for the picture could not be made.");
 }
 
 void OffscreenRenderer::Impl::makeViewer() {
@@ -250,9 +253,10 @@ simcore::Problems writePng(const Image& image, const std::filesystem::path& file
         }
     }
     if (!osgDB::writeImageFile(*rgb, file.string())) {
-        return {
-            {simcore::Severity::Critical, file.string(), "The picture could not be written.",
-             "Check that the folder exists and can be written, and that the name ends in .png."}};
+        return {{simcore::Severity::Critical, file.string(),
+                 simcore::Text::of("The picture could not be written."),
+                 simcore::Text::of("Check that the folder exists and can be written, and that the "
+                                   "name ends in .png.")}};
     }
     return {};
 }

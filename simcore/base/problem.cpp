@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "simcore/base/text.h"
+
 namespace simcore {
 
 std::string toString(Severity severity) {
@@ -16,8 +18,25 @@ std::string toString(Severity severity) {
     return "info";
 }
 
+namespace {
+
+/// The severity for people.
+std::string wordFor(Severity severity) {
+    switch (severity) {
+        case Severity::Critical:
+            return Text::of("critical");
+        case Severity::Warning:
+            return Text::of("warning");
+        case Severity::Info:
+            break;
+    }
+    return Text::of("info");
+}
+
+}  // namespace
+
 std::string toString(const Problem& problem) {
-    std::string text = toString(problem.severity) + ": ";
+    std::string text = wordFor(problem.severity) + ": ";
     if (!problem.element.empty()) {
         text += problem.element + ": ";
     }

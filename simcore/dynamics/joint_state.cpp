@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "simcore/base/text.h"
 #include "simcore/dynamics/engine.h"
 
 namespace simcore::dynamics {
@@ -71,8 +72,9 @@ Problems whyNoEngineCanRun(const mechanism::Mechanism& mechanism) {
     Problems problems;
     for (const mechanism::Body& body : mechanism.bodies) {
         if (!(body.mass > 0.0) || !body.com.allFinite() || !body.inertia.allFinite()) {
-            problems.push_back({Severity::Critical, "body " + body.name,
-                                "its mass, centre or inertia is not usable.", "Correct them."});
+            problems.push_back({Severity::Critical, Text::of("body {}", body.name),
+                                Text::of("its mass, centre or inertia is not usable."),
+                                Text::of("Correct them.")});
         }
     }
     return problems;

@@ -8,6 +8,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include "simcore/base/text.h"
 
 namespace simcore::dynamics {
 namespace {
@@ -504,11 +505,11 @@ std::string LoopClosures::nameOf(const Cluster& cluster) const {
         add(closure.joint);
     }
     std::sort(joints.begin(), joints.end());
-    std::string name = "the loop of joints";
+    std::string names;
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        name += (i == 0 ? " " : ", ") + mechanism_.joints[static_cast<std::size_t>(joints[i])].name;
+        names += (i == 0 ? "" : ", ") + mechanism_.joints[static_cast<std::size_t>(joints[i])].name;
     }
-    return name;
+    return Text::of("the loop of joints {}", names);
 }
 
 std::string LoopClosures::poorestLoop() const {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "simcore/base/text.h"
 #include "simcore/dynamics/ode_world.h"
 
 namespace simcore::dynamics {
@@ -251,9 +252,9 @@ Problems whyOdeCannotRun(const mechanism::Mechanism& mechanism) {
     Problems problems;
     for (const mechanism::Gear& gear : mechanism.gears) {
         if (carrierOf(mechanism, gear) < 0) {
-            problems.push_back({Severity::Critical, "gear " + gear.name,
-                                "its two pins do not turn in one common body.",
-                                "Connect pins of the same carrier."});
+            problems.push_back({Severity::Critical, Text::of("gear {}", gear.name),
+                                Text::of("its two pins do not turn in one common body."),
+                                Text::of("Connect pins of the same carrier.")});
         }
     }
     appendNew(problems, whyNoEngineCanRun(mechanism));

@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "simcore/base/text.h"
 #include "simcore/dynamics/contact_law.h"
 #include "simcore/dynamics/contact_memory.h"
 #include "simcore/dynamics/elastics.h"
@@ -175,7 +176,7 @@ void ReducedEngine::reset() {
     trouble_.clear();
     dt_ = settings_.step;
     for (const std::string& loop : loops_.rigidLoops()) {
-        warn(loop + " cannot move");
+        warn(Text::of("{} cannot move", loop));
     }
     velocities_.assign(mechanism_.bodies.size(), {});
     chooseStiff();
@@ -436,12 +437,13 @@ void ReducedEngine::commit() {
     elastics_.damp(screwsBefore_, now_.state.rates, wrenches_);
     scalarRows_.wrenches(dt_, jointPushes_);
     if (!closed_) {
-        trouble_ = loops_.brokenLoop() + " cannot be closed";
+        trouble_ = Text::of("{} cannot be closed", loops_.brokenLoop());
     }
     counters_.leastPivotRatio = std::min(counters_.leastPivotRatio, loops_.pivotRatio());
     counters_.choices = loops_.choice() - firstChoice_;
     for (const std::string& loop : loops_.loopsDrawnSingular()) {
-        warn(loop + " is drawn in a singular pose: which way it went on from there is chance");
+        warn(Text::of("{} is drawn in a singular pose: which way it went on from there is chance",
+                      loop));
     }
     watchEnergy();
 }
@@ -460,14 +462,14 @@ void ReducedEngine::watchEnergy() {
         energy_.leaveSingular();
         return;
     }
-    warn(loops_.poorestLoop() + " passed next to a singular pose");
+    warn(Text::of("{} passed next to a singular pose", loops_.poorestLoop()));
     if (choice_ != loops_.choice()) {
         makePattern();
     }
     motion_.weigh();
     if (!energy_.passSingular(now_.state.rates, now_.solved, dt_, lu_)) {
-        trouble_ = loops_.poorestLoop() +
-                   " passed a singular pose, where energy could not be kept within 1 %";
+        trouble_ = Text::of("{} passed a singular pose, where energy could not be kept within 1 %",
+                            loops_.poorestLoop());
     }
 }
 
@@ -609,12 +611,12 @@ Problems whyReducedCannotRun(const mechanism::Mechanism& mechanism, mechanism::M
     TreeState state = tree.drawnState();
     loops.reset(state, motion);
     if (loops.independentCount() == 0) {
-        std::string what = "nothing in it can move";
+        std::string what = Text::of("nothing in it can move");
         for (const std::string& loop : loops.rigidLoops()) {
-            what += "; " + loop + " holds its bodies";
+            what += "; " + Text::of("{} holds its bodies", loop);
         }
-        problems.push_back({Severity::Critical, "rover " + mechanism.name, what + ".",
-                            "Give a joint of the loop another freedom, or free a body."});
+        problems.push_back({Severity::Critical, Text::of("rover {}", mechanism.name), what + ".",
+                            Text::of("Give a joint of the loop another freedom, or free a body.")});
     }
     return problems;
 }

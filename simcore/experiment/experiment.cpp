@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "simcore/base/text.h"
 #include "simcore/project/names.h"
 #include "simcore/project/resolve.h"
 
@@ -23,20 +24,22 @@ Problems problemsOf(const Plan& plan) {
     Problems problems;
     if (plan.lastSeed < plan.firstSeed || plan.firstSeed < 0 ||
         plan.lastSeed - plan.firstSeed >= kMostSeeds) {
-        problems.push_back(
-            wrong("seeds", fmt::format("{}..{} are no seeds.", plan.firstSeed, plan.lastSeed),
-                  fmt::format("Give A..B with 0 <= A <= B, at most {} of them.", kMostSeeds)));
+        problems.push_back(wrong(
+            Text::of("seeds"), Text::of("{}..{} are no seeds.", plan.firstSeed, plan.lastSeed),
+            Text::of("Give A..B with 0 <= A <= B, at most {} of them.", kMostSeeds)));
     }
     if (plan.frictions.empty() ||
         !std::all_of(plan.frictions.begin(), plan.frictions.end(),
                      [](double mu) { return std::isfinite(mu) && mu > 0.0 && mu <= 5.0; })) {
-        problems.push_back(wrong("friction", "there is none to drive with, or one outside 0 to 5.",
-                                 "Give coefficients such as 0.3,0.5,0.7."));
+        problems.push_back(wrong(Text::of("friction"),
+                                 Text::of("there is none to drive with, or one outside 0 to 5."),
+                                 Text::of("Give coefficients such as 0.3,0.5,0.7.")));
     }
     if (plan.controllers.empty() || std::count(plan.controllers.begin(), plan.controllers.end(),
                                                project::ControllerKind::Manual) > 0) {
-        problems.push_back(wrong("controllers", "there is none, or one that nobody drives.",
-                                 "Give two or more to compare; not manual."));
+        problems.push_back(wrong(Text::of("controllers"),
+                                 Text::of("there is none, or one that nobody drives."),
+                                 Text::of("Give two or more to compare; not manual.")));
     }
     return problems;
 }
@@ -65,8 +68,9 @@ Result<project::Project> projectOf(const project::Project& project, const Plan& 
         return mechanism.problems();
     }
     if (mechanism->wheels.empty()) {
-        return wrong("rover " + project.rover.name, "it has no wheels to drive.",
-                     "Give it wheels with motors.");
+        return wrong(Text::of("rover {}", project.rover.name),
+                     Text::of("it has no wheels to drive."),
+                     Text::of("Give it wheels with motors."));
     }
     double radius = 0.0;
     for (const mechanism::Wheel& wheel : mechanism->wheels) {

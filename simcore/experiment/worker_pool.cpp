@@ -13,6 +13,7 @@
 #include <cstring>
 #include <memory>
 
+#include "simcore/base/text.h"
 #include "simcore/io/atomic_file.h"
 
 extern char** environ;
@@ -176,9 +177,9 @@ Result<bool> runInWorkers(
     std::vector<std::unique_ptr<Worker>> workers(
         std::min(static_cast<std::size_t>(std::max(1, jobs)), tasks.size()));
     const auto cannotStart = [&](int error) {
-        return Problem{Severity::Critical, "worker " + command.front(),
-                       std::string("it cannot be started: ") + std::strerror(error) + ".",
-                       "Free memory or processes, or use fewer jobs."};
+        return Problem{Severity::Critical, Text::of("worker {}", command.front()),
+                       Text::of("it cannot be started: {}.", std::strerror(error)),
+                       Text::of("Free memory or processes, or use fewer jobs.")};
     };
     for (std::unique_ptr<Worker>& worker : workers) {
         if (const int error = pool.startWorker(worker); error != 0) {

@@ -4,8 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/io/terrain_file.h"
 
 namespace simcore::io {
@@ -84,7 +83,7 @@ bool isCount(const std::optional<double>& number) {
 Result<terrain::Raster> readAsciiGrid(std::istream& text, const std::string& name) {
     Words words(text);
     const auto problem = [&](std::string reason, std::string remedy) {
-        return Problem{Severity::Critical, fmt::format("{}: line {}", name, words.line()),
+        return Problem{Severity::Critical, Text::of("{}: line {}", name, words.line()),
                        std::move(reason), std::move(remedy)};
     };
     Header header;
@@ -92,20 +91,20 @@ Result<terrain::Raster> readAsciiGrid(std::istream& text, const std::string& nam
     while (auto* field = header.find(lowerCase(word))) {
         *field = numberIn(words.next());
         if (!*field || !std::isfinite(**field)) {
-            return problem(fmt::format("'{}' is not followed by a number.", word),
-                           "Correct the header.");
+            return problem(Text::of("'{}' is not followed by a number.", word),
+                           Text::of("Correct the header."));
         }
         word = words.next();
     }
     if (!isCount(header.columns) || !isCount(header.rows) || !header.cell ||
         !(*header.cell > 0.0)) {
-        return problem("the header lacks ncols, nrows (2 or more) or cellsize (above 0).",
-                       "An ASCII grid begins with lines such as 'ncols 200'.");
+        return problem(Text::of("the header lacks ncols, nrows (2 or more) or cellsize (above 0)."),
+                       Text::of("An ASCII grid begins with lines such as 'ncols 200'."));
     }
     if (*header.columns * *header.rows > static_cast<double>(terrain::kMostRasterPoints)) {
-        return problem(fmt::format("{:.0f} x {:.0f} points are more than {}.", *header.columns,
-                                   *header.rows, terrain::kMostRasterPoints),
-                       "Cut out the part that is driven on, or resample it.");
+        return problem(Text::of("{:.0f} x {:.0f} points are more than {}.", *header.columns,
+                                *header.rows, terrain::kMostRasterPoints),
+                       Text::of("Cut out the part that is driven on, or resample it."));
     }
     terrain::Raster raster;
     raster.columns = static_cast<int>(*header.columns);
@@ -123,18 +122,18 @@ Result<terrain::Raster> readAsciiGrid(std::istream& text, const std::string& nam
     for (; raster.values.size() < count; word = words.next()) {
         const auto value = numberIn(word);
         if (word.empty() || !value) {
-            return problem(word.empty() ? fmt::format("the file ends after {} of {} heights.",
-                                                      raster.values.size(), count)
-                                        : fmt::format("'{}' is not a number.", word),
-                           "Correct the file; it may have been cut off.");
+            return problem(word.empty() ? Text::of("the file ends after {} of {} heights.",
+                                                   raster.values.size(), count)
+                                        : Text::of("'{}' is not a number.", word),
+                           Text::of("Correct the file; it may have been cut off."));
         }
         const bool none = *value == noData || !std::isfinite(*value);
         raster.values.push_back(none ? std::numeric_limits<double>::quiet_NaN() : *value);
     }
     if (!word.empty()) {
-        return problem(fmt::format("there is more than the {} heights of {} x {} points.", count,
-                                   raster.columns, raster.rows),
-                       "Correct ncols or nrows.");
+        return problem(Text::of("there is more than the {} heights of {} x {} points.", count,
+                                raster.columns, raster.rows),
+                       Text::of("Correct ncols or nrows."));
     }
     return raster;
 }

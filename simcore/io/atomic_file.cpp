@@ -10,13 +10,18 @@
 #include <sstream>
 #include <string>
 
+#include "simcore/base/text.h"
+
 namespace simcore::io {
 namespace {
 
+/// @param what  marked
 Problem systemProblem(const std::filesystem::path& file, const char* what) {
-    return {Severity::Critical, file.string(),
-            std::string(what) + " (" + std::strerror(errno) + ").",
-            "Check the folder, its permissions and the free space; the old file is untouched."};
+    const std::string why = std::strerror(errno);  // before anything changes errno
+    return {
+        Severity::Critical, file.string(), Text::translated(what) + " (" + why + ").",
+        Text::of(
+            "Check the folder, its permissions and the free space; the old file is untouched.")};
 }
 
 /// Makes a rename last through a loss of power; the renamed file is there in any case, so that a
@@ -97,10 +102,10 @@ void AtomicFile::write(std::string_view text) {
 Result<bool> AtomicFile::commit() {
     errno = error_;
     if (protected_) {
-        return systemProblem(file_, "the file is read-only");
+        return systemProblem(file_, Text::mark("the file is read-only"));
     }
     if (!created_) {
-        return systemProblem(file_, "cannot create a file there");
+        return systemProblem(file_, Text::mark("cannot create a file there"));
     }
     if (error_ == 0 && (::fchmod(descriptor_, mode_) != 0 || ::fsync(descriptor_) != 0)) {
         error_ = errno;
@@ -109,7 +114,7 @@ Result<bool> AtomicFile::commit() {
     descriptor_ = -1;
     if (error_ != 0 || !closed || ::rename(temporary_.c_str(), target_.c_str()) != 0) {
         errno = error_ != 0 ? error_ : errno;
-        Problem problem = systemProblem(file_, "cannot write the file");
+        Problem problem = systemProblem(file_, Text::mark("cannot write the file"));
         ::unlink(temporary_.c_str());
         return problem;
     }
@@ -144,16 +149,16 @@ std::filesystem::path backupOf(const std::filesystem::path& file) {
 Result<std::string> readFile(const std::filesystem::path& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) {
-        return Problem{Severity::Critical, file.string(), "there is no such file.",
-                       "Check the path."};
+        return Problem{Severity::Critical, file.string(), Text::of("there is no such file."),
+                       Text::of("Check the path.")};
     }
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
     if (!stream ||
         (stream.peek() != std::ifstream::traits_type::eof() && !(text << stream.rdbuf())) ||
         stream.bad()) {
-        return Problem{Severity::Critical, file.string(), "the file cannot be read.",
-                       "Check its permissions."};
+        return Problem{Severity::Critical, file.string(), Text::of("the file cannot be read."),
+                       Text::of("Check its permissions.")};
     }
     return std::move(text).str();
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "simcore/base/text.h"
 #include "simcore/base/version.h"
 #include "simcore/io/atomic_file.h"
 #include "simcore/io/json_format.h"
@@ -170,8 +171,8 @@ class Cutter {
 };
 
 Problem noRows(const std::filesystem::path& file) {
-    return {Severity::Critical, file.string(), "no recorded instant lies in these times.",
-            "Choose times between the start and the end of the run."};
+    return {Severity::Critical, file.string(), Text::of("no recorded instant lies in these times."),
+            Text::of("Choose times between the start and the end of the run.")};
 }
 
 /// What the metadata say of a cut; nothing when it leaves all times.
@@ -198,9 +199,9 @@ Result<std::vector<std::size_t>> chosenChannels(const std::vector<run::Channel>&
             }
         }
         if (!found) {
-            problems.push_back({Severity::Critical, "channel " + name,
-                                "the run has no channel of this name.",
-                                "roversim channels FILE lists those of a rover."});
+            problems.push_back({Severity::Critical, Text::of("channel {}", name),
+                                Text::of("the run has no channel of this name."),
+                                Text::of("roversim channels FILE lists those of a rover.")});
         }
     }
     if (!problems.empty()) {
@@ -245,7 +246,8 @@ std::string formatCsv(const std::vector<run::Channel>& channels,
 Result<bool> exportCsv(RecordingReader& recording, const std::string& recordingFile,
                        const std::filesystem::path& file, const TableCut& cut) {
     const RecordingHeader& header = recording.header();
-    const auto project = parseProject(header.projectText, recordingFile + " (its project)");
+    const auto project =
+        parseProject(header.projectText, Text::of("{} (its project)", recordingFile));
     if (!project) {
         return project.problems();
     }

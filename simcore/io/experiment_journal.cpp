@@ -4,12 +4,14 @@
 #include <cstring>
 #include <fstream>
 
+#include "simcore/base/text.h"
+
 namespace simcore::io {
 namespace {
 
 Problem cannotWrite(const std::filesystem::path& file, const std::string& why) {
-    return {Severity::Critical, file.string(), "it cannot be written: " + why + ".",
-            "Choose another folder, or free space."};
+    return {Severity::Critical, file.string(), Text::of("it cannot be written: {}.", why),
+            Text::of("Choose another folder, or free space.")};
 }
 
 }  // namespace
@@ -31,8 +33,8 @@ Result<ExperimentJournal> ExperimentJournal::open(const std::filesystem::path& f
         isNew = !std::getline(in, line);
         if (!isNew && line != heading) {
             return Problem{Severity::Critical, file.string(),
-                           "it holds runs of another plan or rover.",
-                           "Give another folder, or delete it to begin anew."};
+                           Text::of("it holds runs of another plan or rover."),
+                           Text::of("Give another folder, or delete it to begin anew.")};
         }
         while (std::getline(in, line)) {
             endsInLine = !in.eof();

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "simcore/base/text.h"
 #include "simcore/io/json_format.h"
 #include "simcore/io/project_file.h"
 #include "simcore/io/recording_header.h"
@@ -189,8 +190,8 @@ Result<ParsedPlan> parsePlan(const std::string& line) {
         return std::pair(planFrom(json.at("plan")), json.at("project").get<std::string>());
     });
     if (!parts) {
-        return Problem{Severity::Critical, "plan", "it is no plan of an experiment.",
-                       "Let roversim reproduce start its workers."};
+        return Problem{Severity::Critical, "plan", Text::of("it is no plan of an experiment."),
+                       Text::of("Let roversim reproduce start its workers.")};
     }
     auto project = parseProject(parts->second, "plan");
     if (!project) {

@@ -20,6 +20,7 @@
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 
+#include "simcore/base/text.h"
 #include "simcore/io/atomic_file.h"
 #include "simcore/io/terrain_file.h"
 
@@ -119,7 +120,8 @@ class NoOtherFiles final : public Assimp::IOSystem {
     void Close(Assimp::IOStream* /*stream*/) override {}
 };
 
-/// The child's work: reads and sends the mesh, or why there is none.
+/// The child's work: reads and sends the mesh, or why there is none; marked, as after a fork
+/// nothing can be looked up.
 void importAndSend(std::span<const std::byte> bytes, const std::string& extension, int pipe) {
     Assimp::Importer importer;
     importer.SetIOHandler(new NoOtherFiles);  // the importer's from now on
@@ -136,10 +138,9 @@ void importAndSend(std::span<const std::byte> bytes, const std::string& extensio
     } else {
         mesh = meshOf(*scene);
         if (mesh.triangles.empty()) {
-            message = "there are no triangles in it";
+            message = Text::mark("there are no triangles in it");
         } else if (mesh.triangles.size() > terrain::kMostMeshTriangles) {
-            message = fmt::format("{} triangles are more than {}", mesh.triangles.size(),
-                                  terrain::kMostMeshTriangles);
+            message = Text::mark("there are too many triangles in it");
         }
     }
     if (!message.empty()) {
@@ -191,13 +192,14 @@ Result<terrain::TriangleMesh> readMesh(std::span<const std::byte> bytes,
         c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
     if (std::find(kFormats.begin(), kFormats.end(), format) == kFormats.end()) {
-        return problem(fmt::format("'{}' is not a kind of mesh that is read.", extension),
-                       fmt::format("Use one of: {}.", fmt::join(kFormats, ", ")));
+        return problem(Text::of("'{}' is not a kind of mesh that is read.", extension),
+                       Text::of("Use one of: {}.", fmt::join(kFormats, ", ")));
     }
     const rlim_t mapped = mappedNow();
     int ends[2];
     if (pipe(ends) != 0) {
-        return problem("no process can be started to read it.", "Close other programs.");
+        return problem(Text::of("no process can be started to read it."),
+                       Text::of("Close other programs."));
     }
     const pid_t child = fork();
     if (child == 0) {
@@ -216,19 +218,21 @@ Result<terrain::TriangleMesh> readMesh(std::span<const std::byte> bytes,
     const bool whole = child > 0 && receiveMesh(ends[0], mesh, message);
     close(ends[0]);
     if (child < 0) {
-        return problem("no process can be started to read it.", "Close other programs.");
+        return problem(Text::of("no process can be started to read it."),
+                       Text::of("Close other programs."));
     }
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     if (!whole) {
         return problem(
-            "the mesh reader gave up: the file is broken, or takes more than 5 s or 1 GiB.",
-            "Check it in a mesh editor, simplify it, or write it in another format.");
+            Text::of(
+                "the mesh reader gave up: the file is broken, or takes more than 5 s or 1 GiB."),
+            Text::of("Check it in a mesh editor, simplify it, or write it in another format."));
     }
     if (!message.empty()) {
-        return problem(fmt::format("the mesh cannot be read ({}).", message),
-                       "Check the file; obj, stl and ply are the safest formats.");
+        return problem(Text::of("the mesh cannot be read ({}).", Text::translated(message.c_str())),
+                       Text::of("Check the file; obj, stl and ply are the safest formats."));
     }
     return mesh;
 }

@@ -5,9 +5,9 @@
 #include <cstring>
 #include <limits>
 
-#include <fmt/format.h>
 #include <png.h>
 
+#include "simcore/base/text.h"
 #include "simcore/io/terrain_file.h"
 
 namespace simcore::io {
@@ -33,7 +33,7 @@ struct Source {
 void readBytes(png_structp png, png_bytep out, std::size_t size) {
     auto* source = static_cast<Source*>(png_get_io_ptr(png));
     if (size > source->bytes.size() - source->at) {
-        png_error(png, "the file ends early");
+        png_error(png, Text::mark("the file ends early"));
     }
     std::memcpy(out, source->bytes.data() + source->at, size);
     source->at += size;
@@ -70,15 +70,15 @@ bool decode(png_structp png, png_infop info, Image& image) {
     image.depth = png_get_bit_depth(png, info);
     const int colour = png_get_color_type(png, info);
     if ((colour & PNG_COLOR_MASK_COLOR) != 0) {
-        image.refusal = "it is a colour image.";
+        image.refusal = Text::of("it is a colour image.");
         return true;
     }
     if (image.columns < 2 || image.rows < 2) {
-        image.refusal = "it has fewer than 2 x 2 pixels.";
+        image.refusal = Text::of("it has fewer than 2 x 2 pixels.");
         return true;
     }
     if (static_cast<std::size_t>(image.columns) * image.rows > terrain::kMostRasterPoints) {
-        image.refusal = "it has too many pixels.";
+        image.refusal = Text::of("it has too many pixels.");
         return true;
     }
     if (image.depth < 8) {
@@ -153,13 +153,14 @@ Result<terrain::Raster> readPng(std::span<const std::byte> bytes, const std::str
     png_destroy_read_struct(&png, &info, nullptr);
     if (!good) {
         return Problem{Severity::Critical, name,
-                       fmt::format("this is not a readable PNG image ({}).", complaint.text),
-                       "Write it anew, as a grey image of 16 bit."};
+                       Text::of("this is not a readable PNG image ({}).",
+                                Text::translated(complaint.text.c_str())),
+                       Text::of("Write it anew, as a grey image of 16 bit.")};
     }
     if (!image.refusal.empty()) {
         return Problem{Severity::Critical, name, image.refusal,
-                       fmt::format("A grey image of 16 bit is needed, at most {} pixels.",
-                                   terrain::kMostRasterPoints)};
+                       Text::of("A grey image of 16 bit is needed, at most {} pixels.",
+                                terrain::kMostRasterPoints)};
     }
     return rasterOf(image);
 }

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "simcore/base/text.h"
 #include "simcore/io/atomic_file.h"
 #include "simcore/io/json_format.h"
 #include "simcore/project/fields.h"
@@ -27,6 +28,16 @@ constexpr int kVersion = 1;
 // JSON is written recursively.
 constexpr int kDeepestNesting = 100;
 
+/// What a piece of JSON is, for people.
+std::string typeOf(const ReadJson& json) {
+    return json.is_null()      ? Text::of("null")
+           : json.is_boolean() ? Text::of("boolean")
+           : json.is_string()  ? Text::of("string")
+           : json.is_array()   ? Text::of("array")
+           : json.is_object()  ? Text::of("object")
+                               : Text::of("number");
+}
+
 /// Reads JSON into the value tree; collects every problem instead of stopping at the first.
 class Reader {
   public:
@@ -38,7 +49,8 @@ class Reader {
     void read(const ReadJson& json, const std::string& place, T& value);
 
     void problem(const std::string& place, std::string reason, std::string remedy) {
-        problems_.push_back({Severity::Critical, source_ + ": " + (place.empty() ? "file" : place),
+        problems_.push_back({Severity::Critical,
+                             source_ + ": " + (place.empty() ? Text::of("file") : place),
                              std::move(reason), std::move(remedy)});
     }
 
@@ -46,9 +58,10 @@ class Reader {
     template <class T>
     class FieldReader;
 
+    /// @param wanted  marked
     void wrongType(const std::string& place, const char* wanted, const ReadJson& json) {
-        problem(place, fmt::format("expected {}, found {}.", wanted, json.type_name()),
-                "Correct the value.");
+        problem(place, Text::of("expected {}, found {}.", Text::translated(wanted), typeOf(json)),
+                Text::of("Correct the value."));
     }
 
     void readQuantity(const ReadJson& json, const std::string& place, Quantity& value) {
@@ -57,29 +70,29 @@ class Reader {
         } else if (json.is_string() && !json.get_ref<const std::string&>().empty()) {
             value = Quantity::expression(json.get<std::string>());
         } else {
-            wrongType(place, "a number or an expression in quotes", json);
+            wrongType(place, Text::mark("a number or an expression in quotes"), json);
         }
     }
 
     template <class Enum>
     void readEnum(const ReadJson& json, const std::string& place, Enum& value) {
         if (!json.is_string()) {
-            wrongType(place, "a name in quotes", json);
+            wrongType(place, Text::mark("a name in quotes"), json);
             return;
         }
         if (const auto found = project::fromName<Enum>(json.get<std::string>())) {
             value = *found;
         } else {
-            problem(place, fmt::format("'{}' is not known.", json.get<std::string>()),
-                    fmt::format("Use one of: {}.", fmt::join(project::allNames<Enum>(), ", ")));
+            problem(place, Text::of("'{}' is not known.", json.get<std::string>()),
+                    Text::of("Use one of: {}.", fmt::join(project::allNames<Enum>(), ", ")));
         }
     }
 
     template <class T, std::size_t N>
     void readArray(const ReadJson& json, const std::string& place, std::array<T, N>& value) {
         if (!json.is_array() || json.size() != N) {
-            problem(place, fmt::format("expected a list of {} numbers.", N),
-                    "Give exactly that many, in square brackets.");
+            problem(place, Text::of("expected a list of {} numbers.", N),
+                    Text::of("Give exactly that many, in square brackets."));
             return;
         }
         for (std::size_t i = 0; i < N; ++i) {
@@ -90,7 +103,7 @@ class Reader {
     template <class T>
     void readVector(const ReadJson& json, const std::string& place, std::vector<T>& value) {
         if (!json.is_array()) {
-            wrongType(place, "a list", json);
+            wrongType(place, Text::mark("a list"), json);
             return;
         }
         value.clear();
@@ -125,7 +138,7 @@ class Reader::FieldReader {
     void required(const char* key, M T::*member) {
         if (!json_.contains(key)) {
             known_.insert(key);
-            reader_.problem(place_, fmt::format("'{}' is missing.", key), "Add it.");
+            reader_.problem(place_, Text::of("'{}' is missing.", key), Text::of("Add it."));
             return;
         }
         optional(key, member);
@@ -143,8 +156,8 @@ class Reader::FieldReader {
     void reportUnknownKeys() const {
         for (auto it = json_.begin(); it != json_.end(); ++it) {
             if (!known_.contains(it.key())) {
-                reader_.problem(place_, fmt::format("'{}' is not a known key.", it.key()),
-                                fmt::format("Known here: {}.", fmt::join(known_, ", ")));
+                reader_.problem(place_, Text::of("'{}' is not a known key.", it.key()),
+                                Text::of("Known here: {}.", fmt::join(known_, ", ")));
             }
         }
     }
@@ -178,16 +191,17 @@ void Reader::read(const ReadJson& json, const std::string& place, T& value) {
         readQuantity(json, place, value);
     } else if constexpr (std::is_same_v<T, std::string>) {
         json.is_string() ? void(value = json.get<std::string>())
-                         : wrongType(place, "text in quotes", json);
+                         : wrongType(place, Text::mark("text in quotes"), json);
     } else if constexpr (std::is_same_v<T, bool>) {
         json.is_boolean() ? void(value = json.get<bool>())
-                          : wrongType(place, "true or false", json);
+                          : wrongType(place, Text::mark("true or false"), json);
     } else if constexpr (std::is_same_v<T, int>) {
         const bool fits = json.is_number_integer() && json.get<double>() >= -2147483648.0 &&
                           json.get<double>() <= 2147483647.0;
-        fits ? void(value = json.get<int>()) : wrongType(place, "a whole number", json);
+        fits ? void(value = json.get<int>()) : wrongType(place, Text::mark("a whole number"), json);
     } else if constexpr (std::is_same_v<T, double>) {
-        json.is_number() ? void(value = json.get<double>()) : wrongType(place, "a number", json);
+        json.is_number() ? void(value = json.get<double>())
+                         : wrongType(place, Text::mark("a number"), json);
     } else if constexpr (std::is_enum_v<T>) {
         readEnum(json, place, value);
     } else if constexpr (kIsArray<T>) {
@@ -198,11 +212,12 @@ void Reader::read(const ReadJson& json, const std::string& place, T& value) {
         read(json, place, value.emplace());
     } else {
         if (!json.is_object()) {
-            wrongType(place, "an object in braces", json);
+            wrongType(place, Text::mark("an object in braces"), json);
             return;
         }
         if (depth_ >= kDeepest) {
-            problem(place, "objects lie too deep within each other.", "Take some of them out.");
+            problem(place, Text::of("objects lie too deep within each other."),
+                    Text::of("Take some of them out."));
             return;
         }
         ++depth_;
@@ -279,7 +294,7 @@ std::string lineAndColumn(std::string_view text, std::size_t byte) {
             ++column;
         }
     }
-    return fmt::format("line {}, column {}", line, column);
+    return Text::of("line {}, column {}", line, column);
 }
 
 /// Brackets within brackets beyond kDeepestNesting.
@@ -299,9 +314,8 @@ ReadJson parseJson(std::string_view text, Reader& reader) {
         } else if (event == ReadJson::parse_event_t::key &&
                    !keys.back().insert(parsed.get<std::string>()).second) {
             reader.problem(
-                "",
-                fmt::format("key '{}' is given twice in one object.", parsed.get<std::string>()),
-                "Remove one of them.");
+                "", Text::of("key '{}' is given twice in one object.", parsed.get<std::string>()),
+                Text::of("Remove one of them."));
         }
         return true;
     };
@@ -315,17 +329,18 @@ Result<ReadJson> readJson(std::string_view text, const std::string& sourceName, 
     } catch (const ReadJson::parse_error& error) {
         std::string reason = error.what();
         reason = reason.substr(reason.find("] ") == std::string::npos ? 0 : reason.find("] ") + 2);
-        return Problem{Severity::Critical, sourceName + ": " + lineAndColumn(text, error.byte),
-                       "this is not valid JSON (" + reason + ").",
-                       "Correct the text there; a comma or a quote is often missing just before."};
+        return Problem{
+            Severity::Critical, sourceName + ": " + lineAndColumn(text, error.byte),
+            Text::of("this is not valid JSON ({}).", reason),
+            Text::of("Correct the text there; a comma or a quote is often missing just before.")};
     } catch (const TooDeep&) {
         return Problem{Severity::Critical, sourceName,
-                       fmt::format("its brackets nest deeper than {} levels.", kDeepestNesting),
-                       "Correct the file; a project needs about ten."};
+                       Text::of("its brackets nest deeper than {} levels.", kDeepestNesting),
+                       Text::of("Correct the file; a project needs about ten.")};
     } catch (const ReadJson::exception& error) {
         return Problem{Severity::Critical, sourceName,
-                       std::string("the text cannot be read (") + error.what() + ").",
-                       "Correct the file."};
+                       Text::of("the text cannot be read ({}).", error.what()),
+                       Text::of("Correct the file.")};
     }
 }
 
@@ -340,16 +355,18 @@ Result<project::Project> parseProject(std::string_view text, const std::string& 
     }
     const ReadJson& json = *parsed;
     if (!json.is_object() || !json.contains("format") || json["format"] != kFormat) {
-        return Problem{Severity::Critical, sourceName, "this is not a RoverStudio project.",
-                       fmt::format("A project has \"format\": \"{}\".", kFormat)};
+        return Problem{Severity::Critical, sourceName,
+                       Text::of("this is not a RoverStudio project."),
+                       Text::of("A project has \"format\": \"{}\".", kFormat)};
     }
     if (!json.contains("version") || !json["version"].is_number_integer() ||
         json["version"] != kVersion) {
         return Problem{
             Severity::Critical, sourceName,
-            fmt::format("file version {} is not one this program reads ({}).",
-                        json.contains("version") ? json["version"].dump() : "(none)", kVersion),
-            "Open it with the RoverStudio version that wrote it."};
+            Text::of("file version {} is not one this program reads ({}).",
+                     json.contains("version") ? json["version"].dump() : Text::of("(none)"),
+                     kVersion),
+            Text::of("Open it with the RoverStudio version that wrote it.")};
     }
     project::Project project;
     reader.read(json, "", project);
@@ -390,12 +407,12 @@ std::string formatParts(const project::Parts& parts) {
 }
 
 Result<project::Parts> parseParts(std::string_view text) {
-    static const std::string kSource = "clipboard";
-    const Problem foreign{Severity::Critical, kSource, "it holds no parts of a rover.",
-                          "Copy parts in RoverStudio first."};
+    const std::string source = Text::of("clipboard");
+    const Problem foreign{Severity::Critical, source, Text::of("it holds no parts of a rover."),
+                          Text::of("Copy parts in RoverStudio first.")};
     Problems problems;
-    Reader reader(kSource, problems);
-    const auto parsed = readJson(text, kSource, reader);
+    Reader reader(source, problems);
+    const auto parsed = readJson(text, source, reader);
     if (!parsed || !parsed->is_object() || !parsed->contains("format") ||
         (*parsed)["format"] != kPartsFormat) {
         return foreign;
@@ -403,8 +420,8 @@ Result<project::Parts> parseParts(std::string_view text) {
     const ReadJson& json = *parsed;
     if (!json.contains("version") || json["version"] != kVersion || !json.contains("elements") ||
         !json.contains("needed")) {
-        return Problem{Severity::Critical, kSource, "it holds parts of another version.",
-                       "Copy them with this version of RoverStudio."};
+        return Problem{Severity::Critical, source, Text::of("it holds parts of another version."),
+                       Text::of("Copy them with this version of RoverStudio.")};
     }
     project::Parts parts;
     reader.read(json["elements"], "elements", parts.elements);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "simcore/base/text.h"
 #include "simcore/base/version.h"
 #include "simcore/io/csv.h"
 #include "simcore/io/project_file.h"
@@ -286,28 +287,31 @@ std::string formatHeader(const RecordingHeader& header) {
 
 Result<bool> writeBeginning(const RecordingHeader& header,
                             const std::function<bool(std::string_view)>& write) {
-    const auto tooMuch = [](const std::string& what) {
-        return Problem{Severity::Critical, "recording", what + " than a recording can have.",
-                       "Simplify the project, or run without recording."};
+    const auto tooMuch = [](std::string what) {
+        return Problem{Severity::Critical, Text::of("recording"), std::move(what),
+                       Text::of("Simplify the project, or run without recording.")};
     };
     if (std::max({header.size.bodies, header.size.wheels, header.size.joints}) > kMostParts) {
-        return tooMuch("the rover has more parts");
+        return tooMuch(Text::of("the rover has more parts than a recording can have."));
     }
     if (const auto& carried = header.request.files.carried) {
         std::uint64_t total = 0;
         for (const auto& [name, bytes] : *carried) {
             total += bytes.size();
             if (name.size() > kLongestName || bytes.size() > kLargestTerrainFile) {
-                return tooMuch("a file of the ground is larger or has a longer name");
+                return tooMuch(
+                    Text::of("a file of the ground is larger or has a longer name than a recording "
+                             "can have."));
             }
         }
         if (carried->size() > kMostFiles || total > kMostCarried) {
-            return tooMuch("the files of the ground are more or larger");
+            return tooMuch(
+                Text::of("the files of the ground are more or larger than a recording can have."));
         }
     }
     const std::string text = formatHeader(header);
     if (text.size() > kLargestText) {
-        return tooMuch("the project's text is longer");
+        return tooMuch(Text::of("the project's text is longer than a recording can have."));
     }
     return write(kRecordingMagic) && write(packText(kHeaderChunk, text)) &&
            writeFileParts(header.request.files, write);
@@ -315,11 +319,11 @@ Result<bool> writeBeginning(const RecordingHeader& header,
 
 Result<ParsedHeader> parseHeader(const std::string& text, const std::string& source) {
     const auto bad = [&source](const std::string& why) {
-        return Problem{Severity::Critical, source, "its header cannot be read (" + why + ").",
-                       "Open it with the RoverStudio version that wrote it."};
+        return Problem{Severity::Critical, source, Text::of("its header cannot be read ({}).", why),
+                       Text::of("Open it with the RoverStudio version that wrote it.")};
     };
     if (tooDeep(text)) {
-        return bad("nested too deeply");
+        return bad(Text::of("nested too deeply"));
     }
     try {
         return fromJson(ReadJson::parse(text));

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "simcore/base/text.h"
 #include "simcore/io/recording.h"
 #include "simcore/io/recording_chunks.h"
 #include "simcore/io/recording_header.h"
@@ -23,8 +24,8 @@ struct Place {
 };
 
 Problem damaged(const std::string& source, std::uint64_t offset, Severity severity) {
-    return {severity, source, fmt::format("it is damaged at byte {}.", offset),
-            "Take another copy of the file if there is one."};
+    return {severity, source, Text::of("it is damaged at byte {}.", offset),
+            Text::of("Take another copy of the file if there is one.")};
 }
 
 /// A whole number of steps; nothing when it is none.
@@ -142,12 +143,13 @@ bool RecordingReader::Impl::take(const Place& place) {
 
 /// Reads the heads from the beginning to the end, or to the first that is not whole.
 Problems RecordingReader::Impl::outline() {
-    const auto notOne = [this](const char* why) {
-        return Problems{{Severity::Critical, source, why, "Choose a .roverrec file."}};
+    const auto notOne = [this](std::string why) {
+        return Problems{
+            {Severity::Critical, source, std::move(why), Text::of("Choose a .roverrec file.")}};
     };
     std::string bytes;
     if (!readBytes(0, kRecordingMagic.size(), bytes) || bytes != kRecordingMagic) {
-        return notOne("this is not a recording.");
+        return notOne(Text::of("this is not a recording."));
     }
     std::uint64_t offset = kRecordingMagic.size();
     std::string why;
@@ -191,10 +193,10 @@ Problems RecordingReader::Impl::outline() {
     const double end = std::max(rows.empty() ? 0.0 : rows.back().head.last,
                                 frames.empty() ? 0.0 : frames.back().head.last);
     return {{Severity::Warning, source,
-             fmt::format("the recording was interrupted or is damaged: {} of its {} bytes can be "
-                         "read, up to {:.2f} s.",
-                         whole, size, end),
-             "Go on with what is there, or take another copy."}};
+             Text::of("the recording was interrupted or is damaged: {} of its {} bytes can be "
+                      "read, up to {:.2f} s.",
+                      whole, size, end),
+             Text::of("Go on with what is there, or take another copy.")}};
 }
 
 /// Without a report nobody said that all was written: every checksum is looked at, and the tables
@@ -253,9 +255,9 @@ Result<project::CarriedFiles> RecordingReader::Impl::carried(
     for (const auto& [name, bytes] : read) {
         if (bytes.size() != sizes[name]) {
             return Problem{Severity::Critical, source,
-                           fmt::format("of its file '{}' there are {} of {} bytes.", name,
-                                       bytes.size(), sizes[name]),
-                           "Take another copy of the recording if there is one."};
+                           Text::of("of its file '{}' there are {} of {} bytes.", name,
+                                    bytes.size(), sizes[name]),
+                           Text::of("Take another copy of the recording if there is one.")};
         }
     }
     return read;
@@ -269,8 +271,8 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::filesy
                                                                const std::function<bool()>& goOn) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) {
-        return Problem{Severity::Critical, file.string(), "there is no such file.",
-                       "Check the path."};
+        return Problem{Severity::Critical, file.string(), Text::of("there is no such file."),
+                       Text::of("Check the path.")};
     }
     return open(std::make_unique<std::ifstream>(file, std::ios::binary), file.string(), goOn);
 }
@@ -285,8 +287,8 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::open(std::unique_ptr<s
     impl->stream->seekg(0, std::ios::end);
     const std::streamoff size = impl->stream->tellg();
     if (!*impl->stream || size < 0) {
-        return Problem{Severity::Critical, sourceName, "the file cannot be read.",
-                       "Check its permissions."};
+        return Problem{Severity::Critical, sourceName, Text::of("the file cannot be read."),
+                       Text::of("Check its permissions.")};
     }
     impl->size = static_cast<std::uint64_t>(size);
     Problems problems = impl->outline();

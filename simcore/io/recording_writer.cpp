@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "simcore/base/text.h"
 #include "simcore/io/atomic_file.h"
 #include "simcore/io/json_format.h"
 #include "simcore/io/recording.h"
@@ -24,20 +25,22 @@ struct RecordingWriter::Impl {
     RecordingTables tables{[this](std::string_view chunk) { write(chunk); }};
 
     void write(std::string_view bytes);
+    /// @param what  marked
     void fail(const char* what);
 };
 
 void RecordingWriter::Impl::fail(const char* what) {
+    const std::string why = std::strerror(errno);  // before anything changes errno
     problems.push_back(
         {Severity::Critical, file.string(),
-         std::string(what) + " (" + std::strerror(errno) + "); the recording ends before the run.",
-         "Free some space or choose another folder. What was recorded is in " + partial.string() +
-             "."});
+         Text::of("{} ({}); the recording ends before the run.", Text::translated(what), why),
+         Text::of("Free some space or choose another folder. What was recorded is in {}.",
+                  partial.string())});
 }
 
 void RecordingWriter::Impl::write(std::string_view bytes) {
     if (problems.empty() && !writeAll(descriptor, bytes)) {
-        fail("cannot write");
+        fail(Text::mark("cannot write"));
     }
 }
 
@@ -57,13 +60,13 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::file
     impl->partial += ".part";
     impl->descriptor = ::open(impl->partial.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
     if (impl->descriptor < 0) {
-        return errno == EEXIST ? Problem{Severity::Critical, impl->partial.string(),
-                                         "an unfinished recording is there.",
-                                         "Another run may be writing it; else rename or remove it."}
-                               : Problem{Severity::Critical, file.string(),
-                                         std::string("cannot create a file there (") +
-                                             std::strerror(errno) + ").",
-                                         "Check the folder, its permissions and the free space."};
+        return errno == EEXIST
+                   ? Problem{Severity::Critical, impl->partial.string(),
+                             Text::of("an unfinished recording is there."),
+                             Text::of("Another run may be writing it; else rename or remove it.")}
+                   : Problem{Severity::Critical, file.string(),
+                             Text::of("cannot create a file there ({}).", std::strerror(errno)),
+                             Text::of("Check the folder, its permissions and the free space.")};
     }
     const auto begun = writeBeginning(header, [&](std::string_view chunk) {
         impl->write(chunk);
@@ -100,14 +103,14 @@ Result<bool> RecordingWriter::finish(const run::RunReport& report) {
     impl_->tables.flush();
     impl_->write(packText(kReportChunk, formatJson(toJson(report))));
     if (impl_->problems.empty() && ::fsync(impl_->descriptor) != 0) {
-        impl_->fail("cannot write");
+        impl_->fail(Text::mark("cannot write"));
     }
     if (::close(impl_->descriptor) != 0 && impl_->problems.empty()) {
-        impl_->fail("cannot write");
+        impl_->fail(Text::mark("cannot write"));
     }
     impl_->descriptor = -1;
     if (impl_->problems.empty() && ::rename(impl_->partial.c_str(), impl_->file.c_str()) != 0) {
-        impl_->fail("cannot give the file its name");
+        impl_->fail(Text::mark("cannot give the file its name"));
     }
     if (!impl_->problems.empty()) {
         return impl_->problems;

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/io/project_file.h"
 #include "simcore/io/terrain_file.h"
 
@@ -45,7 +44,7 @@ ReplayResult runAgain(run::Simulation& simulation, const RecordingReader& record
 
 Result<run::ResolvedRun> prepareRecorded(RecordingReader& recording) {
     const RecordingHeader& header = recording.header();
-    const auto project = parseProject(header.projectText, "the recorded project");
+    const auto project = parseProject(header.projectText, Text::of("the recorded project"));
     if (!project) {
         return project.problems();
     }
@@ -70,9 +69,9 @@ Result<run::ResolvedRun> prepareRecorded(RecordingReader& recording) {
 
 Result<ReplayResult> replay(RecordingReader& recording, const std::function<bool(double)>& goOn) {
     if (recording.marks().empty()) {
-        return Problem{Severity::Critical, "recording",
-                       "it ends before its first state hash: nothing can be compared.",
-                       "Record at least 2.56 s, or let the run end."};
+        return Problem{Severity::Critical, Text::of("recording"),
+                       Text::of("it ends before its first state hash: nothing can be compared."),
+                       Text::of("Record at least 2.56 s, or let the run end.")};
     }
     try {
         auto prepared = prepareRecorded(recording);
@@ -82,9 +81,9 @@ Result<ReplayResult> replay(RecordingReader& recording, const std::function<bool
         run::Simulation simulation(std::move(prepared).value());
         return runAgain(simulation, recording, goOn);
     } catch (const std::exception& error) {
-        return Problem{Severity::Critical, "recording",
-                       fmt::format("its run cannot be made again ({}).", error.what()),
-                       "Check the rover's masses, joints and wheels."};
+        return Problem{Severity::Critical, Text::of("recording"),
+                       Text::of("its run cannot be made again ({}).", error.what()),
+                       Text::of("Check the rover's masses, joints and wheels.")};
     }
 }
 

@@ -10,8 +10,7 @@
 #include <fstream>
 #include <optional>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/io/atomic_file.h"
 #include "simcore/io/json_format.h"
 #include "simcore/io/recording_header.h"
@@ -81,8 +80,8 @@ Result<bool> RunCopy::save(const std::filesystem::path& file,
         return recording_.empty() ? write(file, goOn) : copyRecording(file, goOn);
     } catch (const std::exception& error) {
         return Problem{Severity::Critical, file.string(),
-                       fmt::format("the recording cannot be written ({}).", error.what()),
-                       "Close other programs if there is no memory left."};
+                       Text::of("the recording cannot be written ({}).", error.what()),
+                       Text::of("Close other programs if there is no memory left.")};
     }
 }
 
@@ -99,8 +98,9 @@ Result<bool> RunCopy::copyRecording(const std::filesystem::path& file,
         return true;  // it is there
     }
     const auto unreadable = [this] {
-        return Problem{Severity::Critical, recording_.string(), "the recording cannot be read.",
-                       "Check that the file is still there."};
+        return Problem{Severity::Critical, recording_.string(),
+                       Text::of("the recording cannot be read."),
+                       Text::of("Check that the file is still there.")};
     };
     const auto total = static_cast<double>(std::filesystem::file_size(recording_, error));
     std::ifstream in(recording_, std::ios::binary);
@@ -149,8 +149,8 @@ Result<bool> RunCopy::write(const std::filesystem::path& file,
     for (std::uint64_t at = 0; at < size_; at += piece.size()) {
         if (!tables_->read(at, std::min<std::uint64_t>(kPiece, size_ - at), piece)) {
             return Problem{Severity::Critical, file.string(),
-                           "the run's recording is no longer there.",
-                           "Free some space on the disk and run again."};
+                           Text::of("the run's recording is no longer there."),
+                           Text::of("Free some space on the disk and run again.")};
         }
         if (!pass(piece)) {
             return false;
@@ -184,8 +184,9 @@ void RunRecorder::restart() {
     Impl& s = *impl_;
     const auto giveUp = [this](const std::string& why) {
         impl_->failure =
-            Problem{Severity::Critical, "recording of the run", why + "; it was given up.",
-                    "Free some space in " + impl_->folder.string() + " and run again."};
+            Problem{Severity::Critical, Text::of("recording of the run"),
+                    Text::of("{}; it was given up.", why),
+                    Text::of("Free some space in {} and run again.", impl_->folder.string())};
         impl_->file.reset();  // a copy that is being saved may still hold it
         failed_ = true;
     };
@@ -196,7 +197,7 @@ void RunRecorder::restart() {
     std::filesystem::create_directories(s.folder, error);
     s.file = std::make_shared<PrivateFile>(s.folder);
     if (!s.file->isOpen()) {
-        giveUp(fmt::format("no file can be made ({})", std::strerror(errno)));
+        giveUp(Text::of("no file can be made ({})", std::strerror(errno)));
     }
     s.tables = std::make_unique<RecordingTables>([this, giveUp](std::string_view chunk) {
         Impl& now = *impl_;
@@ -205,9 +206,9 @@ void RunRecorder::restart() {
         }
         const auto left = now.file->spaceLeft();
         if (left && *left < now.keepFree + chunk.size()) {
-            giveUp(fmt::format("less than {} MiB of the disk are free", now.keepFree >> 20U));
+            giveUp(Text::of("less than {} MiB of the disk are free", now.keepFree >> 20U));
         } else if (!now.file->append(chunk)) {
-            giveUp(fmt::format("it cannot be written ({})", std::strerror(errno)));
+            giveUp(Text::of("it cannot be written ({})", std::strerror(errno)));
         } else {
             now.size += chunk.size();
         }
@@ -242,8 +243,9 @@ Result<RunCopy> RunRecorder::copy(const run::RunReport& report) const {
         return *impl_->failure;
     }
     if (!impl_->tables) {
-        return Problem{Severity::Critical, "recording of the run", "the run never began.",
-                       "Check the rover's masses, joints and wheels."};
+        return Problem{Severity::Critical, Text::of("recording of the run"),
+                       Text::of("the run never began."),
+                       Text::of("Check the rover's masses, joints and wheels.")};
     }
     RunCopy copy;
     copy.header_ = impl_->header;

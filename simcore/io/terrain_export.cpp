@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "simcore/base/text.h"
 #include "simcore/io/atomic_file.h"
 #include "simcore/io/png_grid.h"
 #include "simcore/io/terrain_file.h"
@@ -93,9 +94,8 @@ Result<Samples> sample(const terrain::Terrain& terrain, double cell, const std::
         columns * rows > static_cast<double>(terrain::kMostRasterPoints)) {
         return Problem{
             Severity::Critical, name,
-            fmt::format("{:.6g} m between points gives {:.0f} x {:.0f} of them.", cell, columns,
-                        rows),
-            fmt::format("Choose --cell for 2 x 2 to {} points.", terrain::kMostRasterPoints)};
+            Text::of("{:.6g} m between points gives {:.0f} x {:.0f} of them.", cell, columns, rows),
+            Text::of("Choose --cell for 2 x 2 to {} points.", terrain::kMostRasterPoints)};
     }
     Samples samples;
     samples.columns = static_cast<int>(columns);
@@ -129,9 +129,10 @@ Result<std::string> formatImage(const Samples& samples, const std::string& name)
     std::vector<std::uint16_t> values;
     for (const double height : samples.heights) {
         if (std::isnan(height)) {
-            return Problem{Severity::Critical, name,
-                           "the ground has holes, which an image written here cannot show.",
-                           "Write an ASCII grid (.asc) or a mesh."};
+            return Problem{
+                Severity::Critical, name,
+                Text::of("the ground has holes, which an image written here cannot show."),
+                Text::of("Write an ASCII grid (.asc) or a mesh.")};
         }
         const double share = range > 0.0 ? (height - samples.scale.low) / range : 0.0;
         values.push_back(static_cast<std::uint16_t>(std::lround(65535.0 * share)));
@@ -140,8 +141,9 @@ Result<std::string> formatImage(const Samples& samples, const std::string& name)
 }
 
 Problem unknownEnding(const std::filesystem::path& file) {
-    return {Severity::Critical, file.string(), "the ending of the name does not tell the format.",
-            "Use .obj, .stl, .ply, .asc or .png."};
+    return {Severity::Critical, file.string(),
+            Text::of("the ending of the name does not tell the format."),
+            Text::of("Use .obj, .stl, .ply, .asc or .png.")};
 }
 
 }  // namespace

@@ -4,8 +4,7 @@
 #include <set>
 #include <sstream>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/io/project_file.h"
 #include "simcore/project/names.h"
 
@@ -21,26 +20,28 @@ bool readsFile(TerrainKind kind) {
 }
 
 Problem noFile(const project::Terrain& spec, const fs::path& folder) {
-    return {Severity::Critical, "terrain " + project::nameOf(spec.kind) + ", file",
-            spec.file.empty() ? "no file is given."
-                              : fmt::format("there is no file '{}' in '{}'.", spec.file,
-                                            folder.empty() ? "." : folder.string()),
-            "Give the path of a file, relative to the project's folder or absolute."};
+    return {Severity::Critical, Text::of("terrain {}, file", project::nameOf(spec.kind)),
+            spec.file.empty() ? Text::of("no file is given.")
+                              : Text::of("there is no file '{}' in '{}'.", spec.file,
+                                         folder.empty() ? "." : folder.string()),
+            Text::of("Give the path of a file, relative to the project's folder or absolute.")};
 }
 
 Result<std::string> bytesOf(const fs::path& file) {
     std::error_code error;
     const auto size = fs::file_size(file, error);
     if (error || size > kLargestTerrainFile) {
-        return Problem{Severity::Critical, file.string(),
-                       error ? "the file cannot be read." : "the file is larger than 256 MiB.",
-                       error ? "Check its permissions." : "Cut or simplify it."};
+        return Problem{
+            Severity::Critical, file.string(),
+            error ? Text::of("the file cannot be read.")
+                  : Text::of("the file is larger than 256 MiB."),
+            error ? Text::of("Check its permissions.") : Text::of("Cut or simplify it.")};
     }
     std::ifstream stream(file, std::ios::binary);
     std::string bytes(size, '\0');
     if (!stream.read(bytes.data(), static_cast<std::streamsize>(size))) {
-        return Problem{Severity::Critical, file.string(), "the file cannot be read.",
-                       "Check its permissions."};
+        return Problem{Severity::Critical, file.string(), Text::of("the file cannot be read."),
+                       Text::of("Check its permissions.")};
     }
     return bytes;
 }
@@ -180,11 +181,11 @@ Result<std::shared_ptr<const project::CarriedFiles>> carryTerrainFiles(
         total += sizeOf(name, files);
     }
     if (total > kMostCarried) {
-        return Problem{Severity::Critical, "terrain " + project::nameOf(spec.kind),
-                       fmt::format("its files are {} MiB together; a recording carries {} MiB at "
-                                   "most.",
-                                   total >> 20U, kMostCarried >> 20U),
-                       "Cut or simplify them, or run without recording."};
+        return Problem{Severity::Critical, Text::of("terrain {}", project::nameOf(spec.kind)),
+                       Text::of("its files are {} MiB together; a recording carries {} MiB at "
+                                "most.",
+                                total >> 20U, kMostCarried >> 20U),
+                       Text::of("Cut or simplify them, or run without recording.")};
     }
     auto carried = std::make_shared<project::CarriedFiles>();
     Problems problems;
@@ -202,9 +203,9 @@ Problems whyNotCarried(const project::Terrain& spec, const project::CarriedFiles
     }
     if (readsFile(spec.kind) && !carried.contains(spec.file)) {
         appendNew(problems,
-                  {{Severity::Critical, "terrain " + project::nameOf(spec.kind) + ", file",
-                    fmt::format("the recording lacks its file '{}'.", spec.file),
-                    "Take another copy of the recording, or record the run again."}});
+                  {{Severity::Critical, Text::of("terrain {}, file", project::nameOf(spec.kind)),
+                    Text::of("the recording lacks its file '{}'.", spec.file),
+                    Text::of("Take another copy of the recording, or record the run again.")}});
     }
     return problems;
 }

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
+
+#include "simcore/base/text.h"
 
 namespace simcore::mechanism {
 namespace {
@@ -98,12 +99,12 @@ std::string whyNotInertia(const Mat3& inertia) {
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(inertia);
     const Vec3& moments = solver.eigenvalues();  // ascending
     if (!(moments.x() > 0.0)) {
-        return fmt::format(
-            "the smallest principal moment of inertia is {:.4g} kg m^2, not positive", moments.x());
+        return Text::of("the smallest principal moment of inertia is {:.4g} kg m^2, not positive",
+                        moments.x());
     }
     // A thin plate meets the bound exactly; leave room for round-off.
     if (moments.z() > (moments.x() + moments.y()) * (1.0 + 1e-9)) {
-        return fmt::format(
+        return Text::of(
             "the largest principal moment ({:.4g}) exceeds the sum of the other two ({:.4g} kg "
             "m^2)",
             moments.z(), moments.x() + moments.y());

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "simcore/base/text.h"
 #include "simcore/mobility/exact_sets.h"
 #include "simcore/mobility/joint_choices.h"
 #include "simcore/mobility/moved_pose.h"
@@ -89,20 +90,24 @@ MakeUp makeUpOf(const std::vector<ChangeableElement>& elements, const ExactSet& 
     return makeUp;
 }
 
-const char* pluralOf(JointType type) {
+/// "2 balls".
+std::string countOf(JointType type, int count) {
+    if (count == 1) {
+        return fmt::format("1 {}", toString(type));
+    }
     switch (type) {
         case JointType::SidewaysContact:
-            return "contacts free sideways";
+            return Text::of("{} contacts free sideways", count);
         case JointType::Ball:
-            return "balls";
+            return Text::of("{} balls", count);
         case JointType::Cylindrical:
-            return "cylindrical";
+            return Text::of("{} cylindrical", count);
         case JointType::Universal:
-            return "universal";
+            return Text::of("{} universal", count);
         case JointType::BallWithSlide:
-            return "balls with slide";
+            return Text::of("{} balls with slide", count);
     }
-    return "";
+    return {};
 }
 
 std::string summaryOf(const std::vector<JointChange>& changes) {
@@ -113,7 +118,7 @@ std::string summaryOf(const std::vector<JointChange>& changes) {
     std::vector<std::string> parts;
     parts.reserve(counts.size());
     for (const auto& [type, count] : counts) {
-        parts.push_back(fmt::format("{} {}", count, count == 1 ? toString(type) : pluralOf(type)));
+        parts.push_back(countOf(type, count));
     }
     return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -159,22 +164,22 @@ class Advisor {
         const Report& file = advice_.fileRelaxed;
         if (!advice_.alreadyExact && file.redundant == 0 && file.idle.empty() &&
             file.mobility == pose_.report.mobility) {
-            advice_.notes.push_back("The relaxed model that the file has is exact.");
+            advice_.notes.push_back(Text::of("The relaxed model that the file has is exact."));
         }
         if (pose_.moved) {
-            advice_.notes.push_back(
+            advice_.notes.push_back(Text::of(
                 "The drawn pose is special: after a small real motion more constraints hold. The "
-                "search was made there, and in the drawn pose itself constraints stay redundant.");
+                "search was made there, and in the drawn pose itself constraints stay redundant."));
         }
         if (pose_.onlyYields) {
-            advice_.notes.push_back(
+            advice_.notes.push_back(Text::of(
                 "As built, a free motion of the drawn pose does not go on: it only yields. What "
-                "follows keeps that motion, too.");
+                "follows keeps that motion, too."));
         }
         if (!pose_.report.idle.empty()) {
             advice_.notes.push_back(
-                "An idle freedom cannot be held by a universal joint in place "
-                "of a ball; it has to go first.");
+                Text::of("An idle freedom cannot be held by a universal joint in place "
+                         "of a ball; it has to go first."));
         }
     }
 
@@ -185,8 +190,8 @@ class Advisor {
             advice_.oneSided = true;
             if (!advice_.proposals.empty()) {
                 advice_.notes.push_back(
-                    "No set that changes both sides alike is exact, so each of "
-                    "these changes something on one side only.");
+                    Text::of("No set that changes both sides alike is exact, so each of "
+                             "these changes something on one side only."));
             }
         }
     }
@@ -319,12 +324,13 @@ class Advisor {
     void finish() {
         const int least = advice_.proposals.empty() ? 0 : advice_.proposals.front().cost;
         for (Proposal& proposal : advice_.proposals) {
+            const std::string summary = summaryOf(proposal.changes);
             proposal.why =
-                fmt::format("{} joints change: {}; {} points{}", proposal.changed,
-                            summaryOf(proposal.changes), proposal.cost,
-                            proposal.cost == least
-                                ? ", the least"
-                                : fmt::format(", {} more than the least", proposal.cost - least));
+                proposal.cost == least
+                    ? Text::of("{} joints change: {}; {} points, the least", proposal.changed,
+                               summary, proposal.cost)
+                    : Text::of("{} joints change: {}; {} points, {} more than the least",
+                               proposal.changed, summary, proposal.cost, proposal.cost - least);
         }
     }
 
@@ -361,15 +367,15 @@ int costOfOneSide(JointType type) {
 std::string toString(JointType type) {
     switch (type) {
         case JointType::SidewaysContact:
-            return "contact free sideways";
+            return Text::of("contact free sideways");
         case JointType::Ball:
-            return "ball";
+            return Text::of("ball");
         case JointType::Cylindrical:
-            return "cylindrical";
+            return Text::of("cylindrical");
         case JointType::Universal:
-            return "universal";
+            return Text::of("universal");
         case JointType::BallWithSlide:
-            return "ball with slide";
+            return Text::of("ball with slide");
     }
     return "";
 }
@@ -395,14 +401,14 @@ Result<project::Project> withRelaxation(const project::Project& project, const P
     Problems problems;
     const auto missing = [&](const std::string& element) {
         problems.push_back({Severity::Critical, element,
-                            "the proposal changes it, but the project has it no longer.",
-                            "Ask for advice again."});
+                            Text::of("the proposal changes it, but the project has it no longer."),
+                            Text::of("Ask for advice again.")});
     };
     for (const JointChange& change : proposal.changes) {
         if (change.wheel >= 0) {
             const auto index = static_cast<std::size_t>(change.wheel);
             if (index >= changed.rover.wheels.size() ||
-                "contact " + changed.rover.wheels[index].name != change.element) {
+                contactOf(changed.rover.wheels[index].name) != change.element) {
                 missing(change.element);
                 continue;
             }
@@ -412,7 +418,7 @@ Result<project::Project> withRelaxation(const project::Project& project, const P
             const auto index = static_cast<std::size_t>(change.joint);
             if (index >= changed.rover.joints.size() ||
                 changed.rover.joints[index].name != change.element) {
-                missing("joint " + change.element);
+                missing(Text::of("joint {}", change.element));
                 continue;
             }
             changed.rover.joints[index].relaxed = change.relaxed;
@@ -427,34 +433,44 @@ Result<project::Project> withRelaxation(const project::Project& project, const P
 
 std::string describe(const Advice& advice) {
     if (advice.alreadyExact) {
-        return "Exact as built: nothing is redundant and nothing idle. No joint needs to change.";
+        return Text::of(
+            "Exact as built: nothing is redundant and nothing idle. No joint needs to change.");
     }
-    std::string text = fmt::format("As built, {} constraint{} redundant", advice.built.redundant,
-                                   advice.built.redundant == 1 ? " is" : "s are");
-    if (!advice.built.idle.empty()) {
-        text += fmt::format(" and {} freedom{} idle", advice.built.idle.size(),
-                            advice.built.idle.size() == 1 ? " is" : "s are");
-    }
+    const int redundant = advice.built.redundant;
+    const std::string constraints = redundant == 1
+                                        ? Text::of("1 constraint is redundant")
+                                        : Text::of("{} constraints are redundant", redundant);
+    const std::size_t idle = advice.built.idle.size();
+    std::string text = idle == 0 ? Text::of("As built, {}.", constraints)
+                       : idle == 1
+                           ? Text::of("As built, {} and 1 freedom is idle.", constraints)
+                           : Text::of("As built, {} and {} freedoms are idle.", constraints, idle);
+    const auto add = [&](const std::string& sentence) { text += " " + sentence; };
     const std::size_t count = advice.proposals.size();
     if (count == 0) {
-        text += advice.end == AdviceEnd::Complete
-                    ? ". No set of permitted joints makes it exact and leaves its motion as it is."
-                    : ". None was found until then.";
+        add(advice.end == AdviceEnd::Complete
+                ? Text::of(
+                      "No set of permitted joints makes it exact and leaves its motion as it is.")
+                : Text::of("None was found until then."));
     } else {
-        text +=
-            fmt::format(". Found {} that make{} it exact and leave{} its motion as it is.",
-                        count == 1 ? "one set of joints" : fmt::format("{} sets of joints", count),
-                        count == 1 ? "s" : "", count == 1 ? "s" : "");
+        add(count == 1
+                ? Text::of(
+                      "Found one set of joints that makes it exact and leaves its motion as it is.")
+                : Text::of(
+                      "Found {} sets of joints that make it exact and leave its motion as it is.",
+                      count));
     }
     switch (advice.end) {
         case AdviceEnd::Complete:
-            text += count > 0 ? " None that was left out costs less than the last one." : "";
+            if (count > 0) {
+                add(Text::of("None that was left out costs less than the last one."));
+            }
             break;
         case AdviceEnd::TimeUp:
-            text += " The search was cut short by its time limit.";
+            add(Text::of("The search was cut short by its time limit."));
             break;
         case AdviceEnd::Cancelled:
-            text += " The search was cancelled.";
+            add(Text::of("The search was cancelled."));
             break;
     }
     return text;

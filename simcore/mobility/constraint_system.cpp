@@ -172,7 +172,7 @@ ConstraintJacobian ConstraintSystem::jacobian() const {
                                       gear.secondJoint, -1, 0.0});
             jacobian.priorities.push_back(Priority::Gear);
         } else {
-            jacobian.names.push_back({"contact " + mechanism_.wheels[at(row.index)].name, "slide",
+            jacobian.names.push_back({contactOf(mechanism_.wheels[at(row.index)].name), "slide",
                                       contactDirection(row, start_), -1, row.index, 0.0});
             jacobian.priorities.push_back(row.kind == Kind::ContactNormal
                                               ? Priority::ContactNormal

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <Eigen/QR>
 
+#include "simcore/base/text.h"
 #include "simcore/mobility/constraint_system.h"
 #include "simcore/mobility/factorisation.h"
 
@@ -101,12 +102,13 @@ std::string axisText(const Vec3& vector) {
 std::string motionText(const BodyMotion& motion) {
     const double least = kStandsStill * motion.size();
     if (motion.turn.norm() <= least) {
-        return "moves along " + axisText(motion.slide);
+        return Text::of("moves along {}", axisText(motion.slide));
     }
     if (motion.slide.norm() <= least) {
-        return "turns about " + axisText(motion.turn);
+        return Text::of("turns about {}", axisText(motion.turn));
     }
-    return "moves along " + axisText(motion.slide) + " and turns about " + axisText(motion.turn);
+    return Text::of("moves along {} and turns about {}", axisText(motion.slide),
+                    axisText(motion.turn));
 }
 
 std::string wheelsText(const mechanism::Mechanism& mechanism, const std::vector<BodyMotion>& bodies,
@@ -116,8 +118,8 @@ std::string wheelsText(const mechanism::Mechanism& mechanism, const std::vector<
             return bodies[static_cast<std::size_t>(wheel.body)].turn.norm() > least;
         }));
     return rolling == mechanism.wheels.size()
-               ? "all wheels roll"
-               : fmt::format("{} of {} wheels roll", rolling, mechanism.wheels.size());
+               ? Text::of("all wheels roll")
+               : Text::of("{} of {} wheels roll", rolling, mechanism.wheels.size());
 }
 
 /// How many joints that are no axles move.
@@ -155,14 +157,15 @@ void describeMotion(const mechanism::Mechanism& mechanism, const std::vector<Bod
                         wheelsText(mechanism, bodies, least));
         const int joints = movingJoints(mechanism, bodies, least);
         if (joints > 0) {
-            swing.description += fmt::format("; {} joint{} of the suspension turn{}", joints,
-                                             joints == 1 ? "" : "s", joints == 1 ? "s" : "");
+            swing.description +=
+                "; " + (joints == 1 ? Text::of("1 joint of the suspension turns")
+                                    : Text::of("{} joints of the suspension turn", joints));
         }
         return;
     }
     swing.description = fmt::format("{} {}", swing.body, motionText(bodies[most]));
     swing.description +=
-        moving == 1 ? "; nothing else moves" : fmt::format("; {} bodies move", moving);
+        "; " + (moving == 1 ? Text::of("nothing else moves") : Text::of("{} bodies move", moving));
 }
 
 /// Closes loops and contacts by Newton's method. A factorisation serves as long as it brings the

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <Eigen/QR>
 
+#include "simcore/base/text.h"
 #include "simcore/mobility/constraint_jacobian.h"
 #include "simcore/mobility/factorisation.h"
 #include "simcore/project/element_names.h"
@@ -111,19 +112,20 @@ std::string nameOf(const std::vector<Freedom>& freedoms) {
     const auto turns = directionsOf(freedoms, FreedomKind::Turn);
     const auto slides = directionsOf(freedoms, FreedomKind::Slide);
     if (slides.empty() && turns.size() <= 3) {
-        constexpr const char* kNames[] = {"weld", "pin", "universal", "ball"};
-        return kNames[turns.size()];
+        constexpr const char* kNames[] = {Text::mark("weld"), Text::mark("pin"),
+                                          Text::mark("universal"), Text::mark("ball")};
+        return Text::translated(kNames[turns.size()]);
     }
     if (turns.empty() && slides.size() == 1) {
-        return "slider";
+        return Text::of("slider");
     }
     if (turns.size() == 1 && slides.size() == 1 && same(turns.front(), slides.front())) {
-        return "cylindrical";
+        return Text::of("cylindrical");
     }
     if (turns.size() == 3 && slides.size() == 1) {
-        return "ball with slide";
+        return Text::of("ball with slide");
     }
-    return fmt::format("{} turns, {} slides", turns.size(), slides.size());
+    return Text::of("{} turns, {} slides", turns.size(), slides.size());
 }
 
 /// Directions a designer would think of for a joint, `axis` not among them: rover axes, and in
@@ -177,7 +179,7 @@ std::vector<Target> targetsOf(const mechanism::Mechanism& mechanism, const Place
         }
         target.name = nameOf(target.freedoms);
         if (type == JointType::BallWithSlide) {
-            target.name = "ball with " + target.texts.back();
+            target.name = Text::of("ball with {}", target.texts.back());
         }
         targets.push_back(std::move(target));
     };
@@ -417,15 +419,15 @@ ChangeableElement changesOfWheel(int index, const project::Wheel& wheel,
     for (const Sides sides : waysToTakeSides(wheel.mirror, oneSided)) {
         JointChange change;
         change.wheel = index;
-        change.element = "contact " + wheel.name;
+        change.element = contactOf(wheel.name);
         std::vector<int> wheels;
         for (const Side side : copiesOn(sides, sidesOf(wheel.mirror))) {
             const std::string name = project::nameOnSide(wheel.name, side);
             wheels.push_back(mechanism.findWheel(name));
-            change.copies.push_back("contact " + name);
+            change.copies.push_back(contactOf(name));
         }
-        change.from = "contact";
-        change.to = "contact free sideways";
+        change.from = Text::of("contact");
+        change.to = Text::of("contact free sideways");
         change.type = JointType::SidewaysContact;
         change.sides = sides;
         change.freed = static_cast<int>(wheels.size());

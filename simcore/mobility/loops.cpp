@@ -44,7 +44,7 @@ Graph makeGraph(const mechanism::Mechanism& mechanism, const ConstraintJacobian&
             contact[i] = graph.edges.size();
             graph.edges.push_back({graph.world,
                                    node(mechanism.wheels[i].body),
-                                   "contact " + mechanism.wheels[i].name,
+                                   contactOf(mechanism.wheels[i].name),
                                    {}});
         }
     }

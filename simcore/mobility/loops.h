@@ -10,7 +10,7 @@ namespace simcore::mobility {
 /// A closed loop of the mechanism, analysed on its own: only its bodies and joints, one of the
 /// bodies held.
 struct Loop {
-    std::vector<std::string> joints;  ///< joints, "contact <wheel>" or gear, around the loop
+    std::vector<std::string> joints;  ///< joints, contactOf(wheel) or gear, around the loop
     std::vector<std::string> bodies;  ///< without the world
     bool throughWorld = false;        ///< closes through the ground or fixed bodies
     bool gear = false;                ///< a gear between two joints rather than a ring of joints

@@ -5,14 +5,16 @@
 #include <numeric>
 #include <set>
 
-#include <fmt/format.h>
 #include <Eigen/QR>
 
+#include "simcore/base/text.h"
 #include "simcore/mobility/constraint_jacobian.h"
 #include "simcore/mobility/factorisation.h"
 
 namespace simcore::mobility {
 namespace {
+
+const std::string kContact = "contact ";
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -201,31 +203,44 @@ Report analyse(const mechanism::Mechanism& mechanism, Model model, const Stance&
     return report;
 }
 
+std::string contactOf(const std::string& wheel) {
+    return kContact + wheel;
+}
+
+std::string wheelOfContact(const std::string& element) {
+    return element.starts_with(kContact) ? element.substr(kContact.size()) : std::string();
+}
+
 std::string describe(const Report& report) {
     std::string text;
+    const auto add = [&](const std::string& sentence) { text += " " + sentence; };
     if (report.mobility == 0) {
-        text = "Cannot move: the constraints hold every body.";
+        text = Text::of("Cannot move: the constraints hold every body.");
     } else if (report.mobility == 1) {
-        text = "Moves with one freedom, as a rover on its wheels should.";
+        text = Text::of("Moves with one freedom, as a rover on its wheels should.");
     } else {
-        text = fmt::format("Moves with {} freedoms.", report.mobility);
+        text = Text::of("Moves with {} freedoms.", report.mobility);
     }
     if (report.redundant > 0) {
-        text += fmt::format(
-            " Hyperstatic: {} constraint{} what others already hold. {} cannot be told from "
-            "statics, and inaccurate parts strain each other.",
-            report.redundant, report.redundant == 1 ? " repeats" : "s repeat",
-            report.redundant == 1 ? "Its reaction" : "Their reactions");
+        add(report.redundant == 1
+                ? Text::of("Hyperstatic: 1 constraint repeats what others already hold. Its "
+                           "reaction cannot be told from statics, and inaccurate parts strain "
+                           "each other.")
+                : Text::of("Hyperstatic: {} constraints repeat what others already hold. Their "
+                           "reactions cannot be told from statics, and inaccurate parts strain "
+                           "each other.",
+                           report.redundant));
     } else {
-        text += " Statically determinate: every reaction follows from the loads.";
+        add(Text::of("Statically determinate: every reaction follows from the loads."));
     }
     if (report.gruebler != report.mobility) {
-        text += fmt::format(" The Grübler count ({}) cannot see this.", report.gruebler);
+        add(Text::of("The Grübler count ({}) cannot see this.", report.gruebler));
     }
     if (!report.idle.empty()) {
-        const int idle = static_cast<int>(report.idle.size());
-        text += fmt::format(" {} of the freedoms {} idle: neither chassis nor wheels move.", idle,
-                            idle == 1 ? "is" : "are");
+        const std::size_t idle = report.idle.size();
+        add(idle == 1
+                ? Text::of("1 of the freedoms is idle: neither chassis nor wheels move.")
+                : Text::of("{} of the freedoms are idle: neither chassis nor wheels move.", idle));
     }
     return text;
 }

@@ -13,9 +13,16 @@ namespace simcore::mobility {
 
 using mechanism::Model;
 
+/// What a wheel's contact is called among joints: "contact front_left". A name, in any language;
+/// programs show it by the wheel's.
+std::string contactOf(const std::string& wheel);
+
+/// The wheel whose contact it is; empty for other names.
+std::string wheelOfContact(const std::string& element);
+
 /// One constraint equation, named so that a person can find it.
 struct ConstraintName {
-    std::string element;  ///< joint, gear, or "contact <wheel>"
+    std::string element;  ///< joint, gear, or contactOf(wheel)
     std::string kind;     ///< "slide" (a translation is held), "turn" (a rotation is held), "gear"
     Vec3 direction = Vec3::Zero();  ///< held direction, unit, rover axes
     int joint = -1;                 ///< mechanism joint index, -1 for contacts and gears

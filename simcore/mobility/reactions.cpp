@@ -1,7 +1,6 @@
 #include "simcore/mobility/reactions.h"
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/mobility/constraint_system.h"
 #include "simcore/mobility/factorisation.h"
 
@@ -102,7 +101,7 @@ std::string describe(const std::vector<ReactionDeterminacy>& reactions) {
                 text += (count > 1 ? ", " : "") + reaction.element;
             }
         }
-        return count > kNamed ? fmt::format("{} and {} more", text, count - kNamed) : text;
+        return count > kNamed ? Text::of("{} and {} more", text, count - kNamed) : text;
     };
     int components = 0, known = 0;
     for (const ReactionDeterminacy& reaction : reactions) {
@@ -110,18 +109,17 @@ std::string describe(const std::vector<ReactionDeterminacy>& reactions) {
         known += static_cast<int>(reaction.determined.size());
     }
     if (known == components) {
-        return "Every reaction follows from the loads.";
+        return Text::of("Every reaction follows from the loads.");
     }
-    std::string text = fmt::format(
+    std::string text = Text::of(
         "Of {} components of reactions the loads determine {}; the others depend on play, "
-        "stiffness "
-        "and errors of manufacture.",
+        "stiffness and errors of manufacture.",
         components, known);
     if (const std::string none = named(Determinacy::None); !none.empty()) {
-        text += " Nothing can be known of " + none + ".";
+        text += " " + Text::of("Nothing can be known of {}.", none);
     }
     if (const std::string some = named(Determinacy::Some); !some.empty()) {
-        text += " Part of the reaction can be known of " + some + ".";
+        text += " " + Text::of("Part of the reaction can be known of {}.", some);
     }
     return text;
 }

@@ -21,7 +21,7 @@ enum class Determinacy { All, Some, None };
 /// How much of a joint's, contact's or gear's reaction follows from the loads. The rest depends on
 /// how the rover was put together: on play, on stiffness and on errors of manufacture.
 struct ReactionDeterminacy {
-    std::string element;  ///< joint, gear, or "contact <wheel>"
+    std::string element;  ///< joint, gear, or contactOf(wheel)
     int joint = -1;       ///< mechanism joint index, -1 for contacts and gears
     int wheel = -1;       ///< wheel index for contacts, else -1
     int components = 0;   ///< of the reaction: rows that the element holds

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "simcore/base/groups.h"
+#include "simcore/base/text.h"
 #include "simcore/project/element_names.h"
 
 namespace simcore::mobility {
@@ -270,8 +271,8 @@ Result<Selection> selectionOf(const project::Project& project,
         }
         if (!found) {
             problems.push_back({Severity::Critical, name,
-                                "there is no body, joint or wheel of this name",
-                                "roversim mobility FILE lists them."});
+                                Text::of("there is no body, joint or wheel of this name"),
+                                Text::of("roversim mobility FILE lists them.")});
         }
     }
     if (!problems.empty()) {
@@ -303,19 +304,21 @@ std::vector<ElementShare> shareByElement(const Report& report) {
 
 std::string describe(const Part& part, const Report& report) {
     std::string text = part.pieces > 1
-                           ? fmt::format("{} pieces that no joint connects. ", part.pieces)
+                           ? Text::of("{} pieces that no joint connects.", part.pieces) + " "
                            : std::string();
     if (const auto held = part.heldBodies(); !held.empty()) {
-        text += fmt::format("With {} held: ", fmt::join(held, ", "));
+        text += Text::of("With {} held:", fmt::join(held, ", ")) + " ";
     }
-    text += report.mobility == 0   ? "nothing in it moves."
-            : report.mobility == 1 ? "1 freedom within it."
-                                   : fmt::format("{} freedoms within it.", report.mobility);
+    text += report.mobility == 0   ? Text::of("nothing in it moves.")
+            : report.mobility == 1 ? Text::of("1 freedom within it.")
+                                   : Text::of("{} freedoms within it.", report.mobility);
     if (report.redundant > 0) {
-        text += fmt::format(" {} of its constraints repeat{} what its others already hold.",
-                            report.redundant, report.redundant == 1 ? "s" : "");
+        text += " " + (report.redundant == 1
+                           ? Text::of("1 of its constraints repeats what its others already hold.")
+                           : Text::of("{} of its constraints repeat what its others already hold.",
+                                      report.redundant));
     } else {
-        text += " Nothing in it is redundant.";
+        text += " " + Text::of("Nothing in it is redundant.");
     }
     return text;
 }

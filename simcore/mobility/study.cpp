@@ -1,6 +1,6 @@
 #include "simcore/mobility/study.h"
 
-#include <fmt/format.h>
+#include "simcore/base/text.h"
 
 namespace simcore::mobility {
 
@@ -17,16 +17,19 @@ std::string describe(const MovedPose& moved, const Report& present) {
     const int stuck = static_cast<int>(moved.motions.size()) - moved.moving;
     std::string text;
     if (stuck > 0) {
-        const std::string which = moved.moving == 0
-                                      ? "No free motion"
-                                      : fmt::format("Only {} free motions", moved.moving);
-        text = which +
-               " can be continued: it yields in this pose, but some constraints are inconsistent "
-               "after any finite step.";
+        text = moved.moving == 0
+                   ? Text::of(
+                         "No free motion can be continued: it yields in this pose, but some "
+                         "constraints are inconsistent after any finite step.")
+                   : Text::of(
+                         "Only {} free motions can be continued: it yields in this pose, but some "
+                         "constraints are inconsistent after any finite step.",
+                         moved.moving);
     }
     if (moved.mobility != present.mobility) {
-        text += fmt::format("{}This pose is special: after a small real motion the mobility is {}.",
-                            text.empty() ? "" : " ", moved.mobility);
+        text += (text.empty() ? "" : " ") +
+                Text::of("This pose is special: after a small real motion the mobility is {}.",
+                         moved.mobility);
     }
     return text;
 }

@@ -7,8 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/project/element_names.h"
 #include "simcore/project/element_walk.h"
 #include "simcore/project/expression.h"
@@ -69,18 +68,9 @@ bool follow(const Reference& reference, ElementKind kind, const std::set<std::st
     return false;
 }
 
-/// The place of the shape that "fork, shape 2" means; -1: none.
-int shapeIn(const Project& project, int body, const std::string& text) {
-    static const std::string kWord = ", shape ";
-    const std::size_t at = text.rfind(kWord);
-    int number = 0;
-    if (at == std::string::npos) {
-        return -1;
-    }
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data() + at + kWord.size(), end, number);
-    const bool known = error == std::errc() && number > 0 && number <= shapeCountOf(project, body);
-    return known ? number - 1 : -1;
+/// Whether a problem's text means the element with this title or something of it.
+bool isOf(const std::string& text, const std::string& title) {
+    return text.starts_with(title) && (text.size() == title.size() || text[title.size()] == ',');
 }
 
 }  // namespace
@@ -115,6 +105,54 @@ std::string wordFor(ElementKind kind) {
     return "scenario";
 }
 
+std::string nounFor(ElementKind kind) {
+    switch (kind) {
+        case ElementKind::Parameter:
+            return Text::of("parameter");
+        case ElementKind::Body:
+            return Text::of("body");
+        case ElementKind::Joint:
+            return Text::of("joint");
+        case ElementKind::Wheel:
+            return Text::of("wheel");
+        case ElementKind::Spring:
+            return Text::of("spring");
+        case ElementKind::Gear:
+            return Text::of("gear");
+        case ElementKind::Payload:
+            return Text::of("payload");
+        case ElementKind::Variant:
+            return Text::of("variant");
+        case ElementKind::Scenario:
+            break;
+    }
+    return Text::of("scenario");
+}
+
+std::string titleFor(ElementKind kind, const std::string& name) {
+    switch (kind) {
+        case ElementKind::Parameter:
+            return Text::of("parameter {}", name);
+        case ElementKind::Body:
+            return Text::of("body {}", name);
+        case ElementKind::Joint:
+            return Text::of("joint {}", name);
+        case ElementKind::Wheel:
+            return Text::of("wheel {}", name);
+        case ElementKind::Spring:
+            return Text::of("spring {}", name);
+        case ElementKind::Gear:
+            return Text::of("gear {}", name);
+        case ElementKind::Payload:
+            return Text::of("payload {}", name);
+        case ElementKind::Variant:
+            return Text::of("variant {}", name);
+        case ElementKind::Scenario:
+            break;
+    }
+    return Text::of("scenario {}", name);
+}
+
 int countOf(const Project& project, ElementKind kind) {
     return withList(project, kind, [](const auto& list) { return static_cast<int>(list.size()); });
 }
@@ -147,19 +185,36 @@ const std::string& nameOf(const Project& project, ElementRef element) {
     });
 }
 
+ElementRef findElement(const Project& project, ElementKind kind, const std::string& name) {
+    for (int i = 0; i < countOf(project, kind); ++i) {
+        const std::vector<std::string> sides = namesOnSides(project, ElementRef{kind, i});
+        if (nameOf(project, {kind, i}) == name ||
+            std::find(sides.begin(), sides.end(), name) != sides.end()) {
+            return {kind, i};
+        }
+    }
+    return {};
+}
+
+// The titles are made again and compared, so that it works in any language.
 ElementRef findElement(const Project& project, const std::string& problemElement) {
     for (const ElementKind kind : allElementKinds()) {
-        const std::string word = wordFor(kind) + " ";
-        if (!problemElement.starts_with(word)) {
-            continue;
-        }
-        const std::string rest = problemElement.substr(word.size());
-        const std::string name = rest.substr(0, rest.find(','));
         for (int i = 0; i < countOf(project, kind); ++i) {
-            const std::vector<std::string> sides = namesOnSides(project, ElementRef{kind, i});
-            if (nameOf(project, {kind, i}) == name ||
-                std::find(sides.begin(), sides.end(), name) != sides.end()) {
-                return {kind, i, kind == ElementKind::Body ? shapeIn(project, i, rest) : -1};
+            std::vector<std::string> names = namesOnSides(project, ElementRef{kind, i});
+            names.push_back(nameOf(project, {kind, i}));
+            for (const std::string& name : names) {
+                const std::string title = titleFor(kind, name);
+                if (!isOf(problemElement, title)) {
+                    continue;
+                }
+                ElementRef found{kind, i};
+                const int shapes = kind == ElementKind::Body ? shapeCountOf(project, i) : 0;
+                for (int k = 0; k < shapes; ++k) {
+                    if (isOf(problemElement, Text::of("{}, shape {}", title, k + 1))) {
+                        found.shape = k;
+                    }
+                }
+                return found;
             }
         }
     }
@@ -173,25 +228,25 @@ void forEachQuantity(Project& project, const std::function<void(Quantity&)>& vis
 Result<Project> renamed(const Project& project, ElementRef element, const std::string& name) {
     const std::string old = nameOf(project, element);
     if (element.isShape()) {
-        return Problem{Severity::Critical, titleOf(project, element), "a shape has no name.",
-                       "Rename its body."};
+        return Problem{Severity::Critical, titleOf(project, element),
+                       Text::of("a shape has no name."), Text::of("Rename its body.")};
     }
     if (name == old) {
         return project;
     }
     if (name.find_first_not_of(' ') == std::string::npos) {
-        return criticalFor(element.kind, old, "its new name is empty.", "Type a name.");
+        return criticalFor(element.kind, old, Text::of("its new name is empty."),
+                           Text::of("Type a name."));
     }
     if (namesOf(project, element.kind).contains(name)) {
         return criticalFor(element.kind, old,
-                           fmt::format("there is already a {} '{}'.", wordFor(element.kind), name),
-                           "Choose another name.");
+                           Text::of("there is already a {} '{}'.", nounFor(element.kind), name),
+                           Text::of("Choose another name."));
     }
     if (element.kind == ElementKind::Parameter && !isParameterName(name)) {
-        return criticalFor(
-            element.kind, old, fmt::format("'{}' cannot be used in expressions.", name),
-            "Use up to 100 letters, digits and underscores, not starting with a digit and not "
-            "the name of a function.");
+        return criticalFor(element.kind, old, Text::of("'{}' cannot be used in expressions.", name),
+                           Text::of("Use up to 100 letters, digits and underscores, not starting "
+                                    "with a digit and not the name of a function."));
     }
     Project next = project;
     const std::set<std::string> known = namesOnSides(project, element.kind);
@@ -203,10 +258,10 @@ Result<Project> renamed(const Project& project, ElementRef element, const std::s
         const auto refused = follow(reference, element.kind, known, from, to, name);
         if (refused) {
             return criticalFor(element.kind, old,
-                               fmt::format("{} is mirrored and means it by the name '{}' together "
-                                           "with one on the other side.",
-                                           titleOf(project, reference.user), *reference.text),
-                               "Split that first.");
+                               Text::of("{} is mirrored and means it by the name '{}' together "
+                                        "with one on the other side.",
+                                        titleOf(project, reference.user), *reference.text),
+                               Text::of("Split that first."));
         }
     }
     if (element.kind == ElementKind::Parameter) {
@@ -311,20 +366,20 @@ Result<Project> withCenterOfMass(const Project& project, const Vec3& com) {
     }
     Project next = project;
     Body& body = next.rover.bodies.front();
-    const auto mass = evaluate(body.mass, *parameters, "body " + body.name);
+    const auto mass = evaluate(body.mass, *parameters, Text::of("body {}", body.name));
     if (body.mirror || !mass || !(*mass > 0.0)) {
         return criticalFor(
             ElementKind::Body, body.name,
-            "the centre of mass is moved by moving this body's, and it is mirrored or "
-            "has no mass.",
-            "Make the chassis the first body.");
+            Text::of("the centre of mass is moved by moving this body's, and it is mirrored or "
+                     "has no mass."),
+            Text::of("Make the chassis the first body."));
     }
     const Vec3 shift = (com - mechanism->centerOfMass()) * (mechanism->mass() / *mass);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double move = shift[static_cast<Eigen::Index>(axis)];
         // Leaves a coordinate that stays as it is written.
         if (std::abs(move) > 1e-12) {
-            const auto old = evaluate(body.com[axis], *parameters, "body " + body.name);
+            const auto old = evaluate(body.com[axis], *parameters, Text::of("body {}", body.name));
             if (!old) {
                 return old.problems();
             }
@@ -343,8 +398,8 @@ Result<Quantity> quantityFromText(const std::string& text, const std::string& un
     const Unit* shown = findUnit(unit);
     const std::size_t first = text.find_first_not_of(' ');
     if (first == std::string::npos) {
-        return Problem{Severity::Critical, element, "there is no number.",
-                       "Type a number or an expression."};
+        return Problem{Severity::Critical, element, Text::of("there is no number."),
+                       Text::of("Type a number or an expression.")};
     }
     const std::string trimmed = text.substr(first, text.find_last_not_of(' ') - first + 1);
     const auto number = [](const std::string& digits) -> std::optional<double> {
@@ -359,11 +414,12 @@ Result<Quantity> quantityFromText(const std::string& text, const std::string& un
     }
     const auto written = splitUnit(trimmed);
     if (written && shown && std::string_view(written->unit->dimension) != shown->dimension) {
-        return Problem{
-            Severity::Critical, element,
-            fmt::format("'{}' is a {}, but this is a {}.", trimmed, written->unit->dimension,
-                        shown->dimension),
-            fmt::format("Write it in {} or another unit of {}.", shown->symbol, shown->dimension)};
+        return Problem{Severity::Critical, element,
+                       Text::of("'{}' is a {}, but this is a {}.", trimmed,
+                                Text::translated(written->unit->dimension),
+                                Text::translated(shown->dimension)),
+                       Text::of("Write it in {} or another unit of {}.", shown->symbol,
+                                Text::translated(shown->dimension))};
     }
     if (written) {
         if (const auto plain = number(written->value)) {

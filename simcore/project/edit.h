@@ -29,8 +29,12 @@ struct ElementRef {
 
 /// All kinds, in the order of the file.
 std::vector<ElementKind> allElementKinds();
-/// "parameter", "body", "gear", ...: as problems call them.
+/// "parameter", "body", "gear", ...: the same in every language, as the command line takes it.
 std::string wordFor(ElementKind kind);
+/// The same word for people.
+std::string nounFor(ElementKind kind);
+/// "joint fork_a": what problems call an element.
+std::string titleFor(ElementKind kind, const std::string& name);
 int countOf(const Project& project, ElementKind kind);
 /// Shapes of the body at this place of its list; 0 when there is none.
 int shapeCountOf(const Project& project, int body);
@@ -39,8 +43,10 @@ const Shape& shapeAt(const Project& project, ElementRef shape);
 /// Name of the element, of a shape that of its body: shapes have none. std::invalid_argument when
 /// there is none at this place.
 const std::string& nameOf(const Project& project, ElementRef element);
+/// The element of this name; also finds mirrored elements by the name of one side. Index -1: none.
+ElementRef findElement(const Project& project, ElementKind kind, const std::string& name);
 /// The element that a problem's text such as "joint fork_a", "wheel front, radius" or "body fork,
-/// shape 2" means; also finds mirrored elements by the name of one side. Index -1: none.
+/// shape 2" means, in the program's language; mirrored ones as above. Index -1: none.
 ElementRef findElement(const Project& project, const std::string& problemElement);
 
 /// Calls `visit` with every number of the project.

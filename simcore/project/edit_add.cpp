@@ -4,8 +4,7 @@
 #include <functional>
 #include <set>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/project/edit.h"
 #include "simcore/project/element_names.h"
 #include "simcore/project/element_walk.h"
@@ -60,7 +59,7 @@ double valueOf(const Project& project, const Quantity& quantity, double otherwis
 }
 
 Problem missing(ElementKind kind, std::string reason, std::string remedy) {
-    return criticalFor(kind, "(new)", std::move(reason), std::move(remedy));
+    return criticalFor(kind, Text::of("(new)"), std::move(reason), std::move(remedy));
 }
 
 /// To whole millimetres: what a person would type.
@@ -153,7 +152,7 @@ Result<Project> withJoint(const Project& project) {
     // A body that hangs on nothing wants it most; it is worth a look at the problems.
     std::set<std::string> loose;
     for (const Problem& problem : validate(project)) {
-        if (problem.reason.starts_with("no joint connects it")) {
+        if (problem.reason == Text::translated(kNotConnected)) {
             const ElementRef body = findElement(project, problem.element);
             if (body.index > 0) {
                 loose.insert(nameOf(project, body));
@@ -173,7 +172,8 @@ Result<Project> withJoint(const Project& project) {
     }
     auto best = bestOf(project, candidates);
     if (!best) {
-        return missing(ElementKind::Joint, "there are no two bodies to join.", "Add a body first.");
+        return missing(ElementKind::Joint, Text::of("there are no two bodies to join."),
+                       Text::of("Add a body first."));
     }
     return *std::move(best);
 }
@@ -219,7 +219,8 @@ Wheel likeTheLast(const Project& project) {
 
 Result<Project> withWheel(const Project& project) {
     if (project.rover.bodies.empty()) {
-        return missing(ElementKind::Wheel, "there is no body to hang it on.", "Add a body first.");
+        return missing(ElementKind::Wheel, Text::of("there is no body to hang it on."),
+                       Text::of("Add a body first."));
     }
     Project next = project;
     Wheel wheel = likeTheLast(project);
@@ -313,8 +314,8 @@ Result<Project> withSpring(const Project& project) {
     if (auto best = bestOf(project, candidates)) {
         return *std::move(best);
     }
-    return missing(ElementKind::Spring, "there is no pin for it to act on.",
-                   "Add a joint with one free turn first.");
+    return missing(ElementKind::Spring, Text::of("there is no pin for it to act on."),
+                   Text::of("Add a joint with one free turn first."));
 }
 
 /// One pin of the resolved rover.
@@ -365,13 +366,15 @@ Result<Project> withGear(const Project& project) {
             }
         }
     }
-    return missing(ElementKind::Gear, "there are no two pins in one body left for it to connect.",
-                   "Add joints with one free turn first.");
+    return missing(ElementKind::Gear,
+                   Text::of("there are no two pins in one body left for it to connect."),
+                   Text::of("Add joints with one free turn first."));
 }
 
 Result<Project> withPayload(const Project& project) {
     if (project.rover.bodies.empty()) {
-        return missing(ElementKind::Payload, "there is no body to carry it.", "Add a body first.");
+        return missing(ElementKind::Payload, Text::of("there is no body to carry it."),
+                       Text::of("Add a body first."));
     }
     Project next = project;
     Payload payload;
@@ -415,8 +418,9 @@ Result<Project> added(const Project& project, ElementKind kind) {
 
 Result<Project> withNewShape(const Project& project, int body, ShapeKind kind) {
     if (body < 0 || body >= countOf(project, ElementKind::Body)) {
-        return Problem{Severity::Critical, "shape", "no body is selected for it.",
-                       "Select the body that it belongs to first."};
+        return Problem{Severity::Critical, Text::of("shape"),
+                       Text::of("no body is selected for it."),
+                       Text::of("Select the body that it belongs to first.")};
     }
     Project next = project;
     std::vector<Shape>& shapes = shapesOf(next, body);

@@ -3,8 +3,7 @@
 #include <set>
 #include <stdexcept>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/project/edit.h"
 #include "simcore/project/element_walk.h"
 #include "simcore/project/expression.h"
@@ -27,7 +26,8 @@ std::set<ElementRef> chosen(const Project& project, const std::vector<ElementRef
 }
 
 Problem noBody(std::string remedy) {
-    return {Severity::Critical, "shape", "there is no body for it.", std::move(remedy)};
+    return {Severity::Critical, Text::of("shape"), Text::of("there is no body for it."),
+            std::move(remedy)};
 }
 
 /// Whether the one that becomes the chassis cannot be it.
@@ -66,8 +66,9 @@ Result<Project> removed(const Project& project, const std::vector<ElementRef>& e
             }
         }
         if (!others.empty()) {
-            problems.push_back(criticalFor(element.kind, nameOf(project, element), usedBy(others),
-                                           "Delete those first, or make them use something else."));
+            problems.push_back(
+                criticalFor(element.kind, nameOf(project, element), usedBy(others),
+                            Text::of("Delete those first, or make them use something else.")));
         }
     }
     if (!problems.empty()) {
@@ -86,9 +87,9 @@ Result<Project> removed(const Project& project, const std::vector<ElementRef>& e
     if (hasMirroredChassis(next) && !hasMirroredChassis(project)) {
         const std::string& first = project.rover.bodies.front().name;
         return criticalFor(ElementKind::Body, first,
-                           fmt::format("it is the chassis, and the next body, '{}', is mirrored.",
-                                       next.rover.bodies.front().name),
-                           "Move another body to the second place first.");
+                           Text::of("it is the chassis, and the next body, '{}', is mirrored.",
+                                    next.rover.bodies.front().name),
+                           Text::of("Move another body to the second place first."));
     }
     return next;
 }
@@ -101,8 +102,8 @@ Result<Project> moved(const Project& project, ElementRef element, int newIndex) 
                                newIndex + (newIndex > element.shape ? 1 : 0));
     }
     if (newIndex < 0 || newIndex >= countOf(project, element.kind)) {
-        return criticalFor(element.kind, name, "there is no such place in the list.",
-                           "Choose another place.");
+        return criticalFor(element.kind, name, Text::of("there is no such place in the list."),
+                           Text::of("Choose another place."));
     }
     Project next = project;
     withList(next, element.kind, [&](auto& list) {
@@ -117,9 +118,9 @@ Result<Project> moved(const Project& project, ElementRef element, int newIndex) 
     if (element.kind == ElementKind::Body && hasMirroredChassis(next) &&
         !hasMirroredChassis(project)) {
         return criticalFor(element.kind, name,
-                           fmt::format("the first body is the chassis, and '{}' is mirrored.",
-                                       next.rover.bodies.front().name),
-                           "Leave one that is not mirrored in the first place.");
+                           Text::of("the first body is the chassis, and '{}' is mirrored.",
+                                    next.rover.bodies.front().name),
+                           Text::of("Leave one that is not mirrored in the first place."));
     }
     return next;
 }
@@ -127,21 +128,22 @@ Result<Project> moved(const Project& project, ElementRef element, int newIndex) 
 Result<Project> withShapesMoved(const Project& project, const std::vector<ElementRef>& shapes,
                                 int body, int place) {
     if (body < 0 || body >= countOf(project, ElementKind::Body)) {
-        return noBody("Choose a body.");
+        return noBody(Text::of("Choose a body."));
     }
     std::vector<Shape> taken;
     int before = 0;
     for (const ElementRef shape : std::set<ElementRef>(shapes.begin(), shapes.end())) {
         if (!shape.isShape()) {
-            return Problem{Severity::Critical, titleOf(project, shape), "it is no shape.",
-                           "Move shapes alone into another body."};
+            return Problem{Severity::Critical, titleOf(project, shape), Text::of("it is no shape."),
+                           Text::of("Move shapes alone into another body.")};
         }
         taken.push_back(shapeAt(project, shape));
         before += shape.index == body && shape.shape < place ? 1 : 0;
     }
     if (place < 0 || place > shapeCountOf(project, body)) {
         return Problem{Severity::Critical, titleOf(project, {ElementKind::Body, body}),
-                       "there is no such place among its shapes.", "Choose another place."};
+                       Text::of("there is no such place among its shapes."),
+                       Text::of("Choose another place.")};
     }
     auto next = removed(project, shapes);
     if (next) {
@@ -200,7 +202,7 @@ Result<Project> withParts(const Project& project, const Parts& parts, int body) 
     Project fresh = parts.elements;
     bool any = !parts.shapes.empty();
     if (any && (body < 0 || body >= countOf(project, ElementKind::Body))) {
-        return noBody("Select the body to put it in first.");
+        return noBody(Text::of("Select the body to put it in first."));
     }
     for (const ElementKind kind : allElementKinds()) {
         for (int i = 0; i < countOf(fresh, kind); ++i) {
@@ -235,7 +237,8 @@ Result<Project> withParts(const Project& project, const Parts& parts, int body) 
         }
     }
     if (!any) {
-        return Problem{Severity::Critical, "parts", "there are none.", "Copy some parts first."};
+        return Problem{Severity::Critical, Text::of("parts"), Text::of("there are none."),
+                       Text::of("Copy some parts first.")};
     }
     Project next = project;
     std::set<std::string> known = namesOf(project, ElementKind::Parameter);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "simcore/base/text.h"
 #include "simcore/project/edit.h"
 #include "simcore/project/element_names.h"
 #include "simcore/project/element_walk.h"
@@ -182,8 +183,8 @@ std::string nameOfPair(const std::string& name) {
 
 Problem cannotMirror(const Project& project, ElementRef element) {
     return criticalFor(element.kind, nameOf(project, element),
-                       fmt::format("a {} cannot be mirrored.", wordFor(element.kind)),
-                       "Mirror bodies, joints, wheels, springs and payloads.");
+                       Text::of("a {} cannot be mirrored.", nounFor(element.kind)),
+                       Text::of("Mirror bodies, joints, wheels, springs and payloads."));
 }
 
 /// Gives `texts` that meant the old name of an element its new one.
@@ -268,8 +269,8 @@ Result<Project> pairOf(const Project& project, ElementRef element) {
             if (name == right || name == left) {
                 return criticalFor(
                     element.kind, old,
-                    fmt::format("there is already a {} '{}'.", wordFor(element.kind), name),
-                    "Delete or rename that first.");
+                    Text::of("there is already a {} '{}'.", nounFor(element.kind), name),
+                    Text::of("Delete or rename that first."));
             }
         }
     }
@@ -290,7 +291,7 @@ Result<Project> leftOf(const Project& project, ElementRef element) {
     }
     if (!users.empty()) {
         return criticalFor(element.kind, right, usedBy(users),
-                           "Delete those first, or make them use something else.");
+                           Text::of("Delete those first, or make them use something else."));
     }
     const std::size_t mark = base.find(kSideMark);
     const std::string name = mark == std::string::npos ? base : nameOnSide(base, Side::Left);
@@ -316,7 +317,8 @@ Result<Project> mirrored(const Project& project, const std::vector<ElementRef>& 
         }
         if (element.isShape()) {
             return Problem{Severity::Critical, titleOf(project, element),
-                           "a shape is mirrored with its body.", "Mirror the body."};
+                           Text::of("a shape is mirrored with its body."),
+                           Text::of("Mirror the body.")};
         }
         all.emplace_back(element.kind, nameOf(project, element));
     }
@@ -350,8 +352,9 @@ Result<Project> split(const Project& project, const std::vector<ElementRef>& ele
         }
     }
     if (!any) {
-        return Problem{Severity::Critical, set.empty() ? "parts" : titleOf(project, *set.begin()),
-                       "it is not a mirrored pair.", "Choose one that is mirrored."};
+        return Problem{
+            Severity::Critical, set.empty() ? Text::of("parts") : titleOf(project, *set.begin()),
+            Text::of("it is not a mirrored pair."), Text::of("Choose one that is mirrored.")};
     }
     return next;
 }

@@ -1,5 +1,7 @@
 #include "simcore/project/element_names.h"
 
+#include "simcore/base/text.h"
+
 namespace simcore::project {
 
 std::string nameOnSide(const std::string& name, Side side) {
@@ -35,7 +37,7 @@ std::string NameIndex::list() const {
         }
         text += (text.empty() ? "" : ", ") + name;
     }
-    return text.empty() ? "none" : text;
+    return text.empty() ? Text::of("none") : text;
 }
 
 }  // namespace simcore::project

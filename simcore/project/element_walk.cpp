@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "simcore/base/text.h"
 #include "simcore/project/element_names.h"
 #include "simcore/project/expression.h"
 
@@ -9,7 +10,7 @@ namespace simcore::project {
 
 Problem criticalFor(ElementKind kind, const std::string& name, std::string reason,
                     std::string remedy) {
-    return {Severity::Critical, wordFor(kind) + " " + name, std::move(reason), std::move(remedy)};
+    return {Severity::Critical, titleFor(kind, name), std::move(reason), std::move(remedy)};
 }
 
 std::vector<Reference> referencesIn(Project& project) {
@@ -60,8 +61,8 @@ std::vector<Reference> referencesIn(Project& project) {
 }
 
 std::string titleOf(const Project& project, ElementRef element) {
-    return wordFor(element.kind) + " " + nameOf(project, element) +
-           (element.isShape() ? fmt::format(", shape {}", element.shape + 1) : "");
+    const std::string title = titleFor(element.kind, nameOf(project, element));
+    return element.isShape() ? Text::of("{}, shape {}", title, element.shape + 1) : title;
 }
 
 bool canMirror(ElementKind kind) {
@@ -143,9 +144,9 @@ std::string usedBy(const std::vector<std::string>& users) {
         list += (i == 0 ? "" : ", ") + users[i];
     }
     if (users.size() > kShown) {
-        list += fmt::format(" and {} more", users.size() - kShown);
+        list = Text::of("{} and {} more", list, users.size() - kShown);
     }
-    return fmt::format("it is used by {}.", list);
+    return Text::of("it is used by {}.", list);
 }
 
 bool usesName(const Quantity& quantity, const std::string& parameter) {

@@ -8,12 +8,16 @@
 #include <type_traits>
 #include <vector>
 
+#include "simcore/base/text.h"
 #include "simcore/project/edit.h"
 #include "simcore/project/fields.h"
 
 /// What the functions that edit projects share: lists by kind, all numbers of an element, all
 /// names by which one element refers to another.
 namespace simcore::project {
+
+/// Why a body without a joint is a problem; marked.
+inline constexpr const char* kNotConnected = Text::mark("no joint connects it to the chassis.");
 
 /// Calls `f` with the list of the kind.
 template <class P, class F>

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
 #include <muParser.h>
 
+#include "simcore/base/text.h"
 #include "simcore/project/units.h"
 
 namespace simcore::project {
@@ -18,6 +18,50 @@ bool startsName(char c) {
 
 bool continuesName(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+/// What the parser says, as a clause.
+std::string whyNot(const mu::ParserError& error) {
+    const std::string& token = error.GetToken();
+    const auto at = error.GetPos();
+    switch (error.GetCode()) {
+        case mu::ecUNASSIGNABLE_TOKEN:
+            return Text::of("unexpected token \"{}\" found at position {}", token, at);
+        case mu::ecUNEXPECTED_OPERATOR:
+            return Text::of("unexpected operator \"{}\" found at position {}", token, at);
+        case mu::ecUNEXPECTED_VAL:
+            return Text::of("unexpected value \"{}\" found at position {}", token, at);
+        case mu::ecUNEXPECTED_VAR:
+            return Text::of("unexpected variable \"{}\" found at position {}", token, at);
+        case mu::ecUNEXPECTED_FUN:
+            return Text::of("unexpected function \"{}\" at position {}", token, at);
+        case mu::ecUNEXPECTED_PARENS:
+            return Text::of("unexpected parenthesis \"{}\" at position {}", token, at);
+        case mu::ecUNEXPECTED_EOF:
+            return Text::of("unexpected end of expression at position {}", at);
+        case mu::ecUNEXPECTED_ARG_SEP:
+            return Text::of("unexpected argument separator at position {}", at);
+        case mu::ecMISSING_PARENS:
+            return Text::of("missing parenthesis");
+        case mu::ecTOO_MANY_PARAMS:
+            return Text::of("too many parameters for function \"{}\" at expression position {}",
+                            token, at);
+        case mu::ecTOO_FEW_PARAMS:
+            return Text::of("too few parameters for function \"{}\" at expression position {}",
+                            token, at);
+        case mu::ecEMPTY_EXPRESSION:
+            return Text::of("expression is empty");
+        default:
+            break;
+    }
+    std::string message = error.GetMsg();
+    while (!message.empty() && (message.back() == '.' || message.back() == '\n')) {
+        message.pop_back();
+    }
+    if (!message.empty()) {
+        message[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
+    }
+    return message;
 }
 
 }  // namespace
@@ -33,22 +77,14 @@ struct ExpressionEvaluator::Impl {
             int count = 0;
             const double* results = parser.Eval(count);
             if (count != 1) {
-                return std::string("it has several values; write one (decimals with a point)");
+                return Text::of("it has several values; write one (decimals with a point)");
             }
             if (!std::isfinite(results[0])) {
-                return std::string("its value is not a finite number");
+                return Text::of("its value is not a finite number");
             }
             return results[0];
         } catch (const mu::ParserError& error) {
-            std::string message = error.GetMsg();
-            while (!message.empty() && (message.back() == '.' || message.back() == '\n')) {
-                message.pop_back();
-            }
-            if (!message.empty()) {
-                message[0] =
-                    static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
-            }
-            return message;
+            return whyNot(error);
         }
     }
 };

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "simcore/base/text.h"
 #include "simcore/project/expression.h"
 #include "simcore/project/resolve.h"
 
@@ -21,7 +22,7 @@ std::size_t at(int index) {
 }
 
 Problem refusal(const Handle& handle, std::string reason, std::string remedy) {
-    return {Severity::Critical, wordFor(handle.element.kind) + " " + handle.name, std::move(reason),
+    return {Severity::Critical, titleFor(handle.element.kind, handle.name), std::move(reason),
             std::move(remedy)};
 }
 
@@ -207,9 +208,9 @@ Result<std::string> setCoordinate(Project& project, const Handle& handle, int ax
         if (chosen == request.choice.end() ||
             std::find(free.begin(), free.end(), chosen->second) == free.end()) {
             return refusal(handle,
-                           fmt::format("{} = {} depends on {}.", kAxisNames.at(at(axis)),
-                                       coordinate.text(), fmt::join(free, ", ")),
-                           "Choose the parameter to change, or replace the expression.");
+                           Text::of("{} = {} depends on {}.", kAxisNames.at(at(axis)),
+                                    coordinate.text(), fmt::join(free, ", ")),
+                           Text::of("Choose the parameter to change, or replace the expression."));
         }
         name = chosen->second;
     }
@@ -221,9 +222,9 @@ Result<std::string> setCoordinate(Project& project, const Handle& handle, int ax
         Dependence(project.rover, coordinate, name).solve(parameters->at(name), target);
     if (!solved) {
         return refusal(handle,
-                       fmt::format("no value of {} brings {} = {} there.", name,
-                                   kAxisNames.at(at(axis)), coordinate.text()),
-                       "Choose another parameter, or replace the expression.");
+                       Text::of("no value of {} brings {} = {} there.", name,
+                                kAxisNames.at(at(axis)), coordinate.text()),
+                       Text::of("Choose another parameter, or replace the expression."));
     }
     for (Parameter& parameter : project.rover.parameters) {
         if (parameter.name == name) {
@@ -267,13 +268,14 @@ Result<Vec3> chassisTarget(const Project& project, const Handle& handle, const V
         return mechanism.problems();
     }
     const Body& chassis = project.rover.bodies.at(at(handle.element.index));
-    const auto mass = evaluate(chassis.mass, *parameters, "body " + chassis.name);
+    const auto mass = evaluate(chassis.mass, *parameters, Text::of("body {}", chassis.name));
     const auto now = valueOf(chassis.com, *parameters);
     if (chassis.mirror || !mass || !(*mass > 0.0) || !now) {
-        return refusal(handle,
-                       "the centre of mass is moved by moving this body's, and it is mirrored or "
-                       "has no mass.",
-                       "Make the chassis the first body.");
+        return refusal(
+            handle,
+            Text::of("the centre of mass is moved by moving this body's, and it is mirrored or "
+                     "has no mass."),
+            Text::of("Make the chassis the first body."));
     }
     return Vec3(*now + (to - mechanism->centerOfMass()) * (mechanism->mass() / *mass));
 }

@@ -5,8 +5,7 @@
 #include <map>
 #include <vector>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/project/expression.h"
 #include "simcore/project/resolve.h"
 #include "simcore/project/units.h"
@@ -15,7 +14,8 @@ namespace simcore::project {
 namespace {
 
 Problem parameterProblem(const std::string& name, std::string reason, std::string remedy) {
-    return {Severity::Critical, "parameter " + name, std::move(reason), std::move(remedy)};
+    return {Severity::Critical, Text::of("parameter {}", name), std::move(reason),
+            std::move(remedy)};
 }
 
 /// Evaluates parameters depth first, so that each is valued after those it uses.
@@ -25,14 +25,14 @@ class ParameterSolver {
         : overrides_(std::move(overrides)) {
         for (const Parameter& parameter : rover.parameters) {
             if (!isParameterName(parameter.name)) {
-                problems_.push_back(
-                    parameterProblem(parameter.name, "this name cannot be used in expressions.",
-                                     "Use up to 100 letters, digits and underscores, not starting "
-                                     "with a digit and not the "
-                                     "name of a function."));
+                problems_.push_back(parameterProblem(
+                    parameter.name, Text::of("this name cannot be used in expressions."),
+                    Text::of("Use up to 100 letters, digits and underscores, not starting with a "
+                             "digit and not the name of a function.")));
             } else if (!byName_.emplace(parameter.name, &parameter).second) {
-                problems_.push_back(parameterProblem(parameter.name, "the name is used twice.",
-                                                     "Rename one of them."));
+                problems_.push_back(parameterProblem(parameter.name,
+                                                     Text::of("the name is used twice."),
+                                                     Text::of("Rename one of them.")));
             }
         }
     }
@@ -86,16 +86,18 @@ class ParameterSolver {
         const auto [mark, isNew] = marks_.emplace(parameter.name, Mark::Open);
         if (!isNew) {
             if (mark->second == Mark::Open) {
-                problems_.push_back(parameterProblem(parameter.name, "its value depends on itself.",
-                                                     "Break the circle: give one a number."));
+                problems_.push_back(
+                    parameterProblem(parameter.name, Text::of("its value depends on itself."),
+                                     Text::of("Break the circle: give one a number.")));
             }
             return;
         }
         if (!parameter.unit.empty() && parameter.unit != "-" &&
             findUnit(parameter.unit) == nullptr) {
-            problems_.push_back({Severity::Warning, "parameter " + parameter.name,
-                                 fmt::format("its unit '{}' is not known.", parameter.unit),
-                                 "Use a unit such as mm, deg or kg; it is shown in SI now."});
+            problems_.push_back(
+                {Severity::Warning, Text::of("parameter {}", parameter.name),
+                 Text::of("its unit '{}' is not known.", parameter.unit),
+                 Text::of("Use a unit such as mm, deg or kg; it is shown in SI now.")});
         }
         Step step{&parameter, {}};
         for (const std::string& name : namesIn(quantityOf(parameter).text())) {
@@ -118,16 +120,17 @@ class ParameterSolver {
             const auto result = evaluator_.evaluate(quantity.text());
             if (const auto* reason = std::get_if<std::string>(&result)) {
                 problems_.push_back(parameterProblem(
-                    parameter.name, fmt::format("'{}' has no value: {}.", quantity.text(), *reason),
-                    "Use numbers, other parameters and a unit at the end."));
+                    parameter.name, Text::of("'{}' has no value: {}.", quantity.text(), *reason),
+                    Text::of("Use numbers, other parameters and a unit at the end.")));
                 return;
             }
             number = std::get<double>(result);
             checkDimension(parameter, quantity.text());
         }
         if (!std::isfinite(number)) {
-            problems_.push_back(parameterProblem(
-                parameter.name, "its value is not a finite number.", "Give a number."));
+            problems_.push_back(parameterProblem(parameter.name,
+                                                 Text::of("its value is not a finite number."),
+                                                 Text::of("Give a number.")));
             return;
         }
         checkRange(parameter, number, overrides_.contains(parameter.name));
@@ -142,17 +145,19 @@ class ParameterSolver {
             std::string_view(written->unit->dimension) != display->dimension) {
             problems_.push_back(
                 parameterProblem(parameter.name,
-                                 fmt::format("'{}' is a {}, but this is a {}.", text,
-                                             written->unit->dimension, display->dimension),
-                                 fmt::format("Write it in {} or another unit of {}.",
-                                             display->symbol, display->dimension)));
+                                 Text::of("'{}' is a {}, but this is a {}.", text,
+                                          Text::translated(written->unit->dimension),
+                                          Text::translated(display->dimension)),
+                                 Text::of("Write it in {} or another unit of {}.", display->symbol,
+                                          Text::translated(display->dimension))));
         }
     }
 
     void checkRange(const Parameter& parameter, double number, bool overridden) {
         if (parameter.minimum && parameter.maximum && *parameter.minimum > *parameter.maximum) {
-            problems_.push_back(parameterProblem(
-                parameter.name, "its minimum is above its maximum.", "Swap or correct them."));
+            problems_.push_back(parameterProblem(parameter.name,
+                                                 Text::of("its minimum is above its maximum."),
+                                                 Text::of("Swap or correct them.")));
             return;
         }
         const bool low = parameter.minimum && number < *parameter.minimum;
@@ -164,11 +169,12 @@ class ParameterSolver {
         const double limit = low ? *parameter.minimum : *parameter.maximum;
         problems_.push_back(parameterProblem(
             parameter.name,
-            fmt::format("{}{} is {} its {} of {}{}.", formatIn(number, parameter.unit), unit,
-                        low ? "below" : "above", low ? "minimum" : "maximum",
-                        formatIn(limit, parameter.unit), unit),
-            overridden ? "Set it within its range."
-                       : "Change the value, or the range if it is too narrow."));
+            low ? Text::of("{}{} is below its minimum of {}{}.", formatIn(number, parameter.unit),
+                           unit, formatIn(limit, parameter.unit), unit)
+                : Text::of("{}{} is above its maximum of {}{}.", formatIn(number, parameter.unit),
+                           unit, formatIn(limit, parameter.unit), unit),
+            overridden ? Text::of("Set it within its range.")
+                       : Text::of("Change the value, or the range if it is too narrow.")));
     }
 
     std::map<std::string, Quantity> overrides_;
@@ -210,14 +216,14 @@ Result<ParameterValues> evaluateParameters(const Rover& rover, const std::vector
     for (const Override& change : all) {
         const Parameter* parameter = solver.find(change.parameter);
         if (parameter == nullptr) {
-            solver.problems().push_back(
-                parameterProblem(change.parameter, "the rover has no parameter of this name.",
-                                 "Check the spelling against the rover's parameters."));
+            solver.problems().push_back(parameterProblem(
+                change.parameter, Text::of("the rover has no parameter of this name."),
+                Text::of("Check the spelling against the rover's parameters.")));
         } else if (isDerived(*parameter)) {
             solver.problems().push_back(parameterProblem(
                 change.parameter,
-                fmt::format("it is derived ({}) and cannot be set.", parameter->value.text()),
-                "Set the parameters it is made of."));
+                Text::of("it is derived ({}) and cannot be set.", parameter->value.text()),
+                Text::of("Set the parameters it is made of.")));
         }
     }
     return solver.solve(rover);
@@ -231,8 +237,9 @@ Result<ParameterValues> evaluateParameters(const Project& project, const std::st
     const auto found = std::find_if(project.variants.begin(), project.variants.end(),
                                     [&](const Variant& v) { return v.name == variant; });
     if (found == project.variants.end()) {
-        return Problem{Severity::Critical, "variant " + variant, "there is no such variant.",
-                       "Name one of the project's variants, or none."};
+        return Problem{Severity::Critical, Text::of("variant {}", variant),
+                       Text::of("there is no such variant."),
+                       Text::of("Name one of the project's variants, or none.")};
     }
     return evaluateParameters(project.rover, found->set, assignments);
 }
@@ -241,16 +248,17 @@ Result<double> evaluate(const Quantity& quantity, const ParameterValues& paramet
                         const std::string& element, std::string_view dimension) {
     if (quantity.isLiteral()) {
         if (!std::isfinite(quantity.literal())) {
-            return Problem{Severity::Critical, element, "its value is not a finite number.",
-                           "Give a number."};
+            return Problem{Severity::Critical, element,
+                           Text::of("its value is not a finite number."),
+                           Text::of("Give a number.")};
         }
         return quantity.literal();
     }
     if (!dimension.empty()) {
         if (const std::string why = whyWrongDimension(quantity.text(), dimension); !why.empty()) {
-            return Problem{
-                Severity::Critical, element, why + ".",
-                fmt::format("Write it in a unit of {}, or as a number in SI.", dimension)};
+            return Problem{Severity::Critical, element, why + ".",
+                           Text::of("Write it in a unit of {}, or as a number in SI.",
+                                    Text::translated(std::string(dimension).c_str()))};
         }
     }
     ExpressionEvaluator evaluator;
@@ -260,8 +268,8 @@ Result<double> evaluate(const Quantity& quantity, const ParameterValues& paramet
     const auto result = evaluator.evaluate(quantity.text());
     if (const auto* reason = std::get_if<std::string>(&result)) {
         return Problem{Severity::Critical, element,
-                       fmt::format("'{}' has no value: {}.", quantity.text(), *reason),
-                       "Use numbers, parameters of the rover and a unit at the end."};
+                       Text::of("'{}' has no value: {}.", quantity.text(), *reason),
+                       Text::of("Use numbers, parameters of the rover and a unit at the end.")};
     }
     return std::get<double>(result);
 }

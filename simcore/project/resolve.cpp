@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include "simcore/base/groups.h"
+#include "simcore/base/text.h"
 #include "simcore/mechanism/mass_properties.h"
 #include "simcore/project/element_names.h"
+#include "simcore/project/element_walk.h"
 #include "simcore/project/expression.h"
 #include "simcore/project/units.h"
 
@@ -31,13 +33,14 @@ class Valuer {
         }
     }
 
-    /// `dimension`: what a unit written in the text must be of; null = anything.
+    /// `what`: marked. `dimension`: what a unit written in the text must be of; null = anything.
     double operator()(const Quantity& quantity, const std::string& element, const char* what,
                       const char* dimension) {
         if (quantity.isLiteral()) {
             if (!std::isfinite(quantity.literal())) {
-                critical(element, fmt::format("{}: its value is not a finite number.", what),
-                         "Give a number.");
+                critical(element,
+                         Text::of("{}: its value is not a finite number.", Text::translated(what)),
+                         Text::of("Give a number."));
                 return 0.0;
             }
             return quantity.literal();
@@ -45,16 +48,18 @@ class Valuer {
         if (dimension != nullptr) {
             if (const std::string why = whyWrongDimension(quantity.text(), dimension);
                 !why.empty()) {
-                critical(element, fmt::format("{}: {}.", what, why),
-                         fmt::format("Write it in a unit of {}, or as a number in SI.", dimension));
+                critical(element, fmt::format("{}: {}.", Text::translated(what), why),
+                         Text::of("Write it in a unit of {}, or as a number in SI.",
+                                  Text::translated(dimension)));
                 return 0.0;
             }
         }
         const auto result = evaluator_.evaluate(quantity.text());
         if (const auto* reason = std::get_if<std::string>(&result)) {
             critical(element,
-                     fmt::format("{}: '{}' has no value: {}.", what, quantity.text(), *reason),
-                     "Use numbers, parameters of the rover and a unit at the end.");
+                     Text::of("{}: '{}' has no value: {}.", Text::translated(what), quantity.text(),
+                              *reason),
+                     Text::of("Use numbers, parameters of the rover and a unit at the end."));
             return 0.0;
         }
         return std::get<double>(result);
@@ -72,8 +77,9 @@ class Valuer {
         const std::size_t before = problems_.size();
         const double value = (*this)(quantity, element, what, dimension);
         if (!(value > 0.0) && problems_.size() == before) {
-            critical(element, fmt::format("the {} is {:.6g}, not positive.", what, value),
-                     "Give a value above zero.");
+            critical(element,
+                     Text::of("the {} is {:.6g}, not positive.", Text::translated(what), value),
+                     Text::of("Give a value above zero."));
         }
         return value;
     }
@@ -82,8 +88,9 @@ class Valuer {
                        const char* dimension) {
         const double value = (*this)(quantity, element, what, dimension);
         if (!(value >= 0.0)) {
-            critical(element, fmt::format("the {} is {:.6g}, negative.", what, value),
-                     "Give zero or more.");
+            critical(element,
+                     Text::of("the {} is {:.6g}, negative.", Text::translated(what), value),
+                     Text::of("Give zero or more."));
         }
         return value;
     }
@@ -195,19 +202,20 @@ class Resolver {
                       mechanism::Joint& out);
 
     int findPart(const std::string& reference, Side side, const std::string& element) {
-        return find(partIndex_, reference, side, element, "body");
+        return find(partIndex_, reference, side, element, Text::mark("body"));
     }
 
     int findJoint(const std::string& reference, Side side, const std::string& element) {
-        return find(jointIndex_, reference, side, element, "joint");
+        return find(jointIndex_, reference, side, element, Text::mark("joint"));
     }
 
     int find(const NameIndex& index, const std::string& reference, Side side,
              const std::string& element, const char* kind) {
         const int found = index.find(reference, side);
         if (found < 0) {
-            value_.critical(element, fmt::format("there is no {} '{}'.", kind, reference),
-                            fmt::format("Known: {}.", index.list()));
+            value_.critical(element,
+                            Text::of("there is no {} '{}'.", Text::translated(kind), reference),
+                            Text::of("Known: {}.", index.list()));
         }
         return found;
     }
@@ -215,15 +223,17 @@ class Resolver {
     void checkName(NameIndex& names, const std::string& name, const std::string& element,
                    const char* kind) {
         if (name.empty() || !names.add(name, 0)) {
-            value_.critical(element, name.empty() ? "it has no name." : "the name is used twice.",
-                            fmt::format("Give every {} its own name.", kind));
+            value_.critical(
+                element,
+                name.empty() ? Text::of("it has no name.") : Text::of("the name is used twice."),
+                Text::of("Give every {} its own name.", Text::translated(kind)));
         }
     }
 
     void checkSides(Sides sides, const std::string& element, Side side) {
         if (sides != Sides::Both && side == Side::Center) {
-            value_.critical(element, "it is relaxed on one side, but it is not mirrored.",
-                            "Mirror it, or relax both sides.");
+            value_.critical(element, Text::of("it is relaxed on one side, but it is not mirrored."),
+                            Text::of("Mirror it, or relax both sides."));
         }
     }
 
@@ -257,28 +267,36 @@ mechanism::Shape Resolver::readShape(const Shape& shape, const std::string& elem
     out.color = shape.color;
     switch (shape.kind) {
         case ShapeKind::Box:
-            out.center = mirroredPoint(value_(shape.center, element, "box center"), side);
-            out.size = {value_.positive(shape.size[0], element, "box length", "length"),
-                        value_.positive(shape.size[1], element, "box width", "length"),
-                        value_.positive(shape.size[2], element, "box height", "length")};
-            out.pitch = value_(shape.pitch, element, "box pitch", "angle");
+            out.center =
+                mirroredPoint(value_(shape.center, element, Text::mark("box center")), side);
+            out.size = {
+                value_.positive(shape.size[0], element, Text::mark("box length"), "length"),
+                value_.positive(shape.size[1], element, Text::mark("box width"), "length"),
+                value_.positive(shape.size[2], element, Text::mark("box height"), "length")};
+            out.pitch = value_(shape.pitch, element, Text::mark("box pitch"), "angle");
             break;
         case ShapeKind::Sphere:
-            out.center = mirroredPoint(value_(shape.center, element, "sphere center"), side);
-            out.radius = value_.positive(shape.radius, element, "sphere radius", "length");
+            out.center =
+                mirroredPoint(value_(shape.center, element, Text::mark("sphere center")), side);
+            out.radius =
+                value_.positive(shape.radius, element, Text::mark("sphere radius"), "length");
             break;
         case ShapeKind::Cylinder:
         case ShapeKind::Bar:
-            out.from = mirroredPoint(value_(shape.from, element, "shape end"), side);
-            out.to = mirroredPoint(value_(shape.to, element, "shape end"), side);
+            out.from = mirroredPoint(value_(shape.from, element, Text::mark("shape end")), side);
+            out.to = mirroredPoint(value_(shape.to, element, Text::mark("shape end")), side);
             if (shape.kind == ShapeKind::Cylinder) {
-                out.radius = value_.positive(shape.radius, element, "cylinder radius", "length");
+                out.radius =
+                    value_.positive(shape.radius, element, Text::mark("cylinder radius"), "length");
             } else {
-                out.width = value_.positive(shape.width, element, "bar width", "length");
-                out.height = value_.positive(shape.height, element, "bar height", "length");
+                out.width =
+                    value_.positive(shape.width, element, Text::mark("bar width"), "length");
+                out.height =
+                    value_.positive(shape.height, element, Text::mark("bar height"), "length");
             }
             if ((out.to - out.from).norm() < 1e-9) {
-                value_.critical(element, "a shape's two ends coincide.", "Move one of them.");
+                value_.critical(element, Text::of("a shape's two ends coincide."),
+                                Text::of("Move one of them."));
                 out.to = out.from + Vec3::UnitX();
             }
             break;
@@ -288,25 +306,26 @@ mechanism::Shape Resolver::readShape(const Shape& shape, const std::string& elem
 
 void Resolver::readParts() {
     if (rover_.bodies.empty()) {
-        value_.critical("rover " + rover_.name, "it has no bodies.", "Add at least a chassis.");
+        value_.critical(Text::of("rover {}", rover_.name), Text::of("it has no bodies."),
+                        Text::of("Add at least a chassis."));
     }
     for (const auto& copy : expandMirrored(rover_.bodies)) {
         const Body& body = *copy.element;
-        const std::string element = "body " + copy.name;
+        const std::string element = Text::of("body {}", copy.name);
         Part part;
         part.name = copy.name;
         part.fixed = body.fixed;
-        part.mass.mass = value_.positive(body.mass, element, "mass", "mass");
-        part.mass.com = mirroredPoint(value_(body.com, element, "com"), copy.side);
+        part.mass.mass = value_.positive(body.mass, element, Text::mark("mass"), "mass");
+        part.mass.com = mirroredPoint(value_(body.com, element, Text::mark("com")), copy.side);
         for (std::size_t k = 0; k < body.shapes.size(); ++k) {
             part.shapes.push_back(
-                readShape(body.shapes[k], fmt::format("{}, shape {}", element, k + 1), copy.side));
+                readShape(body.shapes[k], Text::of("{}, shape {}", element, k + 1), copy.side));
         }
         if (body.inertia) {
             part.inertiaGiven = true;
             std::array<double, 6> i{};
             for (std::size_t k = 0; k < 6; ++k) {
-                i[k] = value_((*body.inertia)[k], element, "inertia", "inertia");
+                i[k] = value_((*body.inertia)[k], element, Text::mark("inertia"), "inertia");
             }
             Mat3 inertia;
             inertia << i[0], i[3], i[4], i[3], i[1], i[5], i[4], i[5], i[2];
@@ -316,8 +335,9 @@ void Resolver::readParts() {
         }
         if (copy.name.empty() || !partIndex_.add(copy.name, static_cast<int>(parts_.size()))) {
             value_.critical(element,
-                            copy.name.empty() ? "it has no name." : "the name is used twice.",
-                            "Give every body its own name.");
+                            copy.name.empty() ? Text::of("it has no name.")
+                                              : Text::of("the name is used twice."),
+                            Text::of("Give every body its own name."));
         }
         parts_.push_back(std::move(part));
     }
@@ -326,12 +346,13 @@ void Resolver::readParts() {
 void Resolver::readPayloads() {
     NameIndex names;
     for (const auto& copy : expandMirrored(rover_.payloads)) {
-        const std::string element = "payload " + copy.name;
-        checkName(names, copy.name, element, "payload");
+        const std::string element = Text::of("payload {}", copy.name);
+        checkName(names, copy.name, element, Text::mark("payload"));
         const int part = findPart(copy.element->body, copy.side, element);
-        const double mass = value_.positive(copy.element->mass, element, "mass", "mass");
-        const Vec3 position =
-            mirroredPoint(value_(copy.element->position, element, "position"), copy.side);
+        const double mass =
+            value_.positive(copy.element->mass, element, Text::mark("mass"), "mass");
+        const Vec3 position = mirroredPoint(
+            value_(copy.element->position, element, Text::mark("position")), copy.side);
         if (part >= 0) {
             payloads_.emplace_back(part, MassProperties{mass, position, Mat3::Zero()});
         }
@@ -360,8 +381,8 @@ std::optional<mechanism::Freedom> Resolver::readFreedom(const FreedomText& text,
                direction.norm() > 1e-9 && direction.allFinite() && (numbers >> std::ws).eof();
     }
     if (!good) {
-        value_.critical(element, fmt::format("freedom '{}' is not understood.", text),
-                        "Write 'turn' or 'slide', then axis, x, y, z or three numbers.");
+        value_.critical(element, Text::of("freedom '{}' is not understood.", text),
+                        Text::of("Write 'turn' or 'slide', then axis, x, y, z or three numbers."));
         return std::nullopt;
     }
     freedom.kind = kind == "turn" ? mechanism::FreedomKind::Turn : mechanism::FreedomKind::Slide;
@@ -393,8 +414,9 @@ void Resolver::readFreedoms(const Joint& joint, const std::string& element, Side
             if (directions.cols() > 0 &&
                 Eigen::ColPivHouseholderQR<Eigen::Matrix3Xd>(directions).setThreshold(1e-6).rank() <
                     directions.cols()) {
-                value_.critical(element, "two of its free directions are the same or dependent.",
-                                "Remove one, or turn it.");
+                value_.critical(element,
+                                Text::of("two of its free directions are the same or dependent."),
+                                Text::of("Remove one, or turn it."));
             }
         }
         return freedoms;
@@ -409,43 +431,50 @@ void Resolver::readFreedoms(const Joint& joint, const std::string& element, Side
 void Resolver::readJoints() {
     for (const auto& copy : expandMirrored(rover_.joints)) {
         const Joint& joint = *copy.element;
-        const std::string element = "joint " + copy.name;
+        const std::string element = Text::of("joint {}", copy.name);
         mechanism::Joint out;
         out.name = copy.name;
         out.first = findPart(joint.first, copy.side, element);
         out.second = findPart(joint.second, copy.side, element);
         if (out.first >= 0 && out.first == out.second) {
-            value_.critical(element, "it joins a body to itself.", "Name two bodies.");
+            value_.critical(element, Text::of("it joins a body to itself."),
+                            Text::of("Name two bodies."));
         }
-        out.point = mirroredPoint(value_(joint.point, element, "point"), copy.side);
-        const Vec3 axis = value_(joint.axis, element, "axis");
+        out.point = mirroredPoint(value_(joint.point, element, Text::mark("point")), copy.side);
+        const Vec3 axis = value_(joint.axis, element, Text::mark("axis"));
         if (axis.norm() > 1e-9) {
             out.axis = mirroredAxis(axis.normalized(), copy.side);
         } else {
-            value_.critical(element, "its axis has no length.",
-                            "Give a direction, e.g. [0, 1, 0].");
+            value_.critical(element, Text::of("its axis has no length."),
+                            Text::of("Give a direction, e.g. [0, 1, 0]."));
         }
         readFreedoms(joint, element, copy.side, out);
         if (joint.stops) {
-            const double low = value_((*joint.stops)[0], element, "lower stop", "angle");
-            const double high = value_((*joint.stops)[1], element, "upper stop", "angle");
+            const double low =
+                value_((*joint.stops)[0], element, Text::mark("lower stop"), "angle");
+            const double high =
+                value_((*joint.stops)[1], element, Text::mark("upper stop"), "angle");
             if (!(low <= 0.0 && high >= 0.0 && low < high)) {
-                value_.critical(element,
-                                fmt::format("stops {:.4g} and {:.4g} rad do not enclose the drawn "
-                                            "pose (0).",
-                                            low, high),
-                                "Give the lower one first, below zero, and the upper one above.");
+                value_.critical(
+                    element,
+                    Text::of("stops {:.4g} and {:.4g} rad do not enclose the drawn "
+                             "pose (0).",
+                             low, high),
+                    Text::of("Give the lower one first, below zero, and the upper one above."));
             }
             out.stops = {low, high};
         }
-        out.damping = value_.notNegative(joint.damping, element, "damping", "torsional damping");
-        out.friction = value_.notNegative(joint.friction, element, "friction", "torque");
+        out.damping =
+            value_.notNegative(joint.damping, element, Text::mark("damping"), "torsional damping");
+        out.friction =
+            value_.notNegative(joint.friction, element, Text::mark("friction"), "torque");
         const bool locked = joint.locked || joint.free.empty();
         if (copy.name.empty() ||
             !fileJointIndex_.add(copy.name, static_cast<int>(fileJoints_.size()))) {
             value_.critical(element,
-                            copy.name.empty() ? "it has no name." : "the name is used twice.",
-                            "Give every joint its own name.");
+                            copy.name.empty() ? Text::of("it has no name.")
+                                              : Text::of("the name is used twice."),
+                            Text::of("Give every joint its own name."));
         }
         fileJoints_.push_back({std::move(out), locked, locked});
     }
@@ -464,12 +493,13 @@ void Resolver::readJoints() {
         out.first = bodyOfPart(one.joint.first);
         out.second = bodyOfPart(one.joint.second);
         if (out.first >= 0 && out.first == out.second && one.joint.first != one.joint.second) {
-            value_.critical("joint " + out.name, "it joins two parts that are welded together.",
-                            "Remove the joint, or unlock the other one.");
+            value_.critical(Text::of("joint {}", out.name),
+                            Text::of("it joins two parts that are welded together."),
+                            Text::of("Remove the joint, or unlock the other one."));
         } else if (isFixed(out.first) && isFixed(out.second) && out.first != out.second) {
-            value_.critical("joint " + out.name,
-                            "both its bodies are fixed: it has nothing to hold.",
-                            "Remove the joint, or let one of the bodies go.");
+            value_.critical(Text::of("joint {}", out.name),
+                            Text::of("both its bodies are fixed: it has nothing to hold."),
+                            Text::of("Remove the joint, or let one of the bodies go."));
         }
     }
 }
@@ -522,56 +552,57 @@ void Resolver::readWheels() {
     std::vector<int> wheelOfBody(mechanism_.bodies.size(), -1);
     for (const auto& copy : expandMirrored(rover_.wheels)) {
         const Wheel& wheel = *copy.element;
-        const std::string element = "wheel " + copy.name;
+        const std::string element = Text::of("wheel {}", copy.name);
         mechanism::Wheel out;
         out.name = copy.name;
         out.body = bodyOfPart(findPart(wheel.body, copy.side, element));
         out.axle = findJoint(wheel.axle, copy.side, element);
-        out.radius = value_.positive(wheel.radius, element, "radius", "length");
-        out.width = value_.positive(wheel.width, element, "width", "length");
+        out.radius = value_.positive(wheel.radius, element, Text::mark("radius"), "length");
+        out.width = value_.positive(wheel.width, element, Text::mark("width"), "length");
         out.grousers = wheel.grousers;
         out.torqueLimit =
-            value_.positive(wheel.motor.torqueLimit, element, "torque limit", "torque");
-        out.speedLimit =
-            value_.positive(wheel.motor.speedLimit, element, "speed limit", "angular speed");
-        out.rotorInertia =
-            value_.notNegative(wheel.motor.rotorInertia, element, "rotor inertia", "inertia");
+            value_.positive(wheel.motor.torqueLimit, element, Text::mark("torque limit"), "torque");
+        out.speedLimit = value_.positive(wheel.motor.speedLimit, element, Text::mark("speed limit"),
+                                         "angular speed");
+        out.rotorInertia = value_.notNegative(wheel.motor.rotorInertia, element,
+                                              Text::mark("rotor inertia"), "inertia");
         checkSides(wheel.relaxedSides, element, copy.side);
         out.relaxedLateral = wheel.relaxedLateral && isOnSide(wheel.relaxedSides, copy.side);
         if (wheel.grousers < 0 || wheel.grousers > 200) {
-            value_.critical(element, fmt::format("{} grousers cannot be drawn.", wheel.grousers),
-                            "Give 0 to 200.");
+            value_.critical(element, Text::of("{} grousers cannot be drawn.", wheel.grousers),
+                            Text::of("Give 0 to 200."));
         }
         if (!wheel.steering.empty()) {
             readSteering(wheel, element, copy.side, out);
         }
-        checkName(names, copy.name, element, "wheel");
+        checkName(names, copy.name, element, Text::mark("wheel"));
         if (out.axle >= kLocked) {
-            value_.critical(element, "its axle is locked or has no freedom.", "Unlock the axle.");
+            value_.critical(element, Text::of("its axle is locked or has no freedom."),
+                            Text::of("Unlock the axle."));
         } else if (out.axle >= 0 && out.body >= 0) {
             const mechanism::Joint& axle = mechanism_.joints[static_cast<std::size_t>(out.axle)];
             if (!isPin(axle) || (axle.first != out.body && axle.second != out.body)) {
-                value_.critical(element, fmt::format("'{}' is not a pin of its body.", axle.name),
-                                "Name the pin joint between the wheel's body and its carrier.");
+                value_.critical(
+                    element, Text::of("'{}' is not a pin of its body.", axle.name),
+                    Text::of("Name the pin joint between the wheel's body and its carrier."));
             }
             out.carrier = axle.first == out.body ? axle.second : axle.first;
             out.center = axle.point;
             out.axis = axle.axis.y() < 0.0 ? Vec3(-axle.axis) : axle.axis;
             if (std::abs(axle.axis.y()) < 0.1) {
-                value_.critical(element, "its axle does not point sideways.",
-                                "Wheels roll forward: give the axle an axis along y.");
+                value_.critical(element, Text::of("its axle does not point sideways."),
+                                Text::of("Wheels roll forward: give the axle an axis along y."));
             }
             mechanism::Body& body = mechanism_.bodies[static_cast<std::size_t>(out.body)];
             int& owner = wheelOfBody[static_cast<std::size_t>(out.body)];
             if (owner >= 0) {
-                value_.critical(element,
-                                fmt::format("body '{}' already carries a wheel.", body.name),
-                                "Give each wheel its own body.");
+                value_.critical(element, Text::of("body '{}' already carries a wheel.", body.name),
+                                Text::of("Give each wheel its own body."));
             }
             owner = static_cast<int>(mechanism_.wheels.size());
             if (body.fixed) {
-                value_.critical(element, fmt::format("body '{}' is fixed.", body.name),
-                                "Let the wheel go; fix the chassis for a test stand.");
+                value_.critical(element, Text::of("body '{}' is fixed.", body.name),
+                                Text::of("Let the wheel go; fix the chassis for a test stand."));
             }
             if (body.inertia.isZero()) {
                 body.inertia =
@@ -579,10 +610,13 @@ void Resolver::readWheels() {
             }
             const double gap = out.center.z() - out.radius;
             if (std::abs(gap) > 1e-3) {
-                value_.warning(element,
-                               fmt::format("it is {:.1f} mm {} the ground at the drawn pose.",
-                                           1e3 * std::abs(gap), gap > 0 ? "above" : "below"),
-                               "Put its axle at the height of its radius.");
+                value_.warning(
+                    element,
+                    gap > 0
+                        ? Text::of("it is {:.1f} mm above the ground at the drawn pose.", 1e3 * gap)
+                        : Text::of("it is {:.1f} mm below the ground at the drawn pose.",
+                                   -1e3 * gap),
+                    Text::of("Put its axle at the height of its radius."));
             }
         }
         mechanism_.wheels.push_back(std::move(out));
@@ -591,30 +625,31 @@ void Resolver::readWheels() {
 
 void Resolver::readSteering(const Wheel& wheel, const std::string& element, Side side,
                             mechanism::Wheel& out) {
-    const int found = find(fileJointIndex_, wheel.steering, side, element, "joint");
+    const int found = find(fileJointIndex_, wheel.steering, side, element, Text::mark("joint"));
     const int axle = fileJointIndex_.find(wheel.axle, side);
-    const double torque =
-        value_.notNegative(wheel.steeringMotor.torqueLimit, element, "steering torque", "torque");
-    const double speed =
-        value_.positive(wheel.steeringMotor.speedLimit, element, "steering speed", "angular speed");
+    const double torque = value_.notNegative(wheel.steeringMotor.torqueLimit, element,
+                                             Text::mark("steering torque"), "torque");
+    const double speed = value_.positive(wheel.steeringMotor.speedLimit, element,
+                                         Text::mark("steering speed"), "angular speed");
     if (found < 0 || axle < 0) {
         return;
     }
     const FileJoint& steering = fileJoints_[static_cast<std::size_t>(found)];
     const mechanism::Joint& joint = steering.joint;
     if (!isPin(joint) && !steering.locked) {
-        value_.critical(element, fmt::format("its steering joint '{}' is no pin.", joint.name),
-                        "Leave it one free direction, 'turn axis'.");
+        value_.critical(element, Text::of("its steering joint '{}' is no pin.", joint.name),
+                        Text::of("Leave it one free direction, 'turn axis'."));
     } else if (std::abs(joint.axis.z()) < kUpright) {
         value_.critical(element,
-                        fmt::format("its steering joint '{}' does not stand upright.", joint.name),
-                        "Give it an axis along z, or within 45 deg of it.");
+                        Text::of("its steering joint '{}' does not stand upright.", joint.name),
+                        Text::of("Give it an axis along z, or within 45 deg of it."));
     } else if (!carriesWheel(found, axle)) {
-        value_.critical(element,
-                        fmt::format("'{}' does not steer it: without that joint the wheel would "
-                                    "still hang on the chassis.",
-                                    joint.name),
-                        "Name the pin between the wheel's carrier and the rest of the rover.");
+        value_.critical(
+            element,
+            Text::of("'{}' does not steer it: without that joint the wheel would "
+                     "still hang on the chassis.",
+                     joint.name),
+            Text::of("Name the pin between the wheel's carrier and the rest of the rover."));
     }
     if (!steering.welded) {
         out.steering = jointIndex_.find(joint.name, Side::Center);
@@ -640,25 +675,27 @@ bool Resolver::carriesWheel(int steering, int axle) const {
 /// own.
 void Resolver::finishBodies() {
     for (mechanism::Body& body : mechanism_.bodies) {
-        const std::string element = "body " + body.name;
+        const std::string element = Text::of("body {}", body.name);
         if (body.mass > 0.0 && body.inertia.isZero()) {
             // Radius of a solid ball of density 2700 kg/m^3 (aluminium): assumed.
             const double radius = std::cbrt(3.0 * body.mass / (4.0 * std::numbers::pi * 2700.0));
             body.inertia = 0.4 * body.mass * radius * radius * Mat3::Identity();
-            value_.warning(element,
-                           "it has neither inertia nor shapes; a solid aluminium ball is assumed.",
-                           "Draw a shape, or give its inertia.");
+            value_.warning(
+                element,
+                Text::of("it has neither inertia nor shapes; a solid aluminium ball is assumed."),
+                Text::of("Draw a shape, or give its inertia."));
         }
     }
     for (const auto& [part, load] : payloads_) {
         addMass(mechanism_.bodies[static_cast<std::size_t>(bodyOfPart(part))], load);
     }
     for (const mechanism::Body& body : mechanism_.bodies) {
-        const std::string element = "body " + body.name;
+        const std::string element = Text::of("body {}", body.name);
         if (const std::string why = mechanism::whyNotInertia(body.inertia);
             body.mass > 0.0 && !why.empty()) {
-            value_.critical(element, "its inertia is impossible: " + why + ".",
-                            "Correct the inertia, or remove it to use that of the shapes.");
+            value_.critical(
+                element, Text::of("its inertia is impossible: {}.", why),
+                Text::of("Correct the inertia, or remove it to use that of the shapes."));
         }
     }
 }
@@ -667,21 +704,22 @@ void Resolver::readSprings() {
     NameIndex names;
     for (const auto& copy : expandMirrored(rover_.springs)) {
         const Spring& spring = *copy.element;
-        const std::string element = "spring " + copy.name;
-        checkName(names, copy.name, element, "spring");
+        const std::string element = Text::of("spring {}", copy.name);
+        checkName(names, copy.name, element, Text::mark("spring"));
         mechanism::Spring out;
         out.name = copy.name;
         const bool torsion = !spring.joint.empty();
-        out.stiffness = value_.notNegative(spring.stiffness, element, "stiffness",
+        out.stiffness = value_.notNegative(spring.stiffness, element, Text::mark("stiffness"),
                                            torsion ? "torsional stiffness" : "stiffness");
-        out.preload = value_(spring.preload, element, "preload", torsion ? "torque" : "force");
-        out.damping = value_.notNegative(spring.damping, element, "damping",
+        out.preload =
+            value_(spring.preload, element, Text::mark("preload"), torsion ? "torque" : "force");
+        out.damping = value_.notNegative(spring.damping, element, Text::mark("damping"),
                                          torsion ? "torsional damping" : "damping");
         if (torsion) {
             out.joint = findJoint(spring.joint, copy.side, element);
             if (out.joint >= kLocked) {
-                value_.critical(element, "its joint is locked.",
-                                "Unlock it, or remove the spring.");
+                value_.critical(element, Text::of("its joint is locked."),
+                                Text::of("Unlock it, or remove the spring."));
             } else if (out.joint >= 0) {
                 out.first = mechanism_.joints[static_cast<std::size_t>(out.joint)].first;
                 out.second = mechanism_.joints[static_cast<std::size_t>(out.joint)].second;
@@ -689,12 +727,13 @@ void Resolver::readSprings() {
         } else {
             out.first = bodyOfPart(findPart(spring.first, copy.side, element));
             out.second = bodyOfPart(findPart(spring.second, copy.side, element));
-            out.firstPoint =
-                mirroredPoint(value_(spring.firstPoint, element, "first point"), copy.side);
-            out.secondPoint =
-                mirroredPoint(value_(spring.secondPoint, element, "second point"), copy.side);
+            out.firstPoint = mirroredPoint(
+                value_(spring.firstPoint, element, Text::mark("first point")), copy.side);
+            out.secondPoint = mirroredPoint(
+                value_(spring.secondPoint, element, Text::mark("second point")), copy.side);
             if ((out.firstPoint - out.secondPoint).norm() < 1e-4) {
-                value_.critical(element, "its two ends coincide.", "Move one end.");
+                value_.critical(element, Text::of("its two ends coincide."),
+                                Text::of("Move one end."));
             }
         }
         mechanism_.springs.push_back(std::move(out));
@@ -704,24 +743,27 @@ void Resolver::readSprings() {
 void Resolver::readGears() {
     NameIndex names;
     for (const Gear& gear : rover_.gears) {
-        const std::string element = "gear " + gear.name;
-        checkName(names, gear.name, element, "gear");
+        const std::string element = Text::of("gear {}", gear.name);
+        checkName(names, gear.name, element, Text::mark("gear"));
         mechanism::Gear out;
         out.name = gear.name;
         out.firstJoint = findJoint(gear.firstJoint, Side::Center, element);
         out.secondJoint = findJoint(gear.secondJoint, Side::Center, element);
-        out.ratio = value_(gear.ratio, element, "ratio", "ratio");
+        out.ratio = value_(gear.ratio, element, Text::mark("gear ratio"), "ratio");
         for (const int joint : {out.firstJoint, out.secondJoint}) {
             if (joint >= 0 &&
                 (joint >= kLocked || !isPin(mechanism_.joints[static_cast<std::size_t>(joint)]))) {
-                value_.critical(element, "it does not connect two pins.", "Name two pin joints.");
+                value_.critical(element, Text::of("it does not connect two pins."),
+                                Text::of("Name two pin joints."));
             }
         }
         if (out.firstJoint == out.secondJoint && out.firstJoint >= 0) {
-            value_.critical(element, "it connects a joint with itself.", "Name two pin joints.");
+            value_.critical(element, Text::of("it connects a joint with itself."),
+                            Text::of("Name two pin joints."));
         }
         if (!(std::abs(out.ratio) > 1e-6)) {
-            value_.critical(element, "its ratio is zero.", "Give the ratio of the turns.");
+            value_.critical(element, Text::of("its ratio is zero."),
+                            Text::of("Give the ratio of the turns."));
         }
         mechanism_.gears.push_back(std::move(out));
     }
@@ -729,7 +771,8 @@ void Resolver::readGears() {
 
 void Resolver::checkConnected() {
     if (mechanism_.wheels.empty()) {
-        value_.warning("rover " + rover_.name, "it has no wheels.", "Add wheels to drive it.");
+        value_.warning(Text::of("rover {}", rover_.name), Text::of("it has no wheels."),
+                       Text::of("Add wheels to drive it."));
     }
     Groups merged(mechanism_.bodies.size());
     for (const mechanism::Joint& joint : mechanism_.joints) {
@@ -744,8 +787,8 @@ void Resolver::checkConnected() {
     }
     for (std::size_t i = 0; i < mechanism_.bodies.size(); ++i) {
         if (merged.of(static_cast<int>(i)) != merged.of(mechanism_.chassis)) {
-            value_.critical("body " + mechanism_.bodies[i].name,
-                            "no joint connects it to the chassis.", "Join it, or remove it.");
+            value_.critical(Text::of("body {}", mechanism_.bodies[i].name),
+                            Text::translated(kNotConnected), Text::of("Join it, or remove it."));
         }
     }
 }

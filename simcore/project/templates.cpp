@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "simcore/base/text.h"
+
 namespace simcore::project {
 
 std::vector<int> mainDimensions(const Project& templ) {
@@ -26,9 +28,9 @@ Result<Project> fromTemplate(const Project& templ, const std::vector<Assignment>
     Problems problems;
     for (const Assignment& one : dimensions) {
         if (std::find(names.begin(), names.end(), one.parameter) == names.end()) {
-            problems.push_back({Severity::Critical, "parameter " + one.parameter,
-                                "it is no main dimension of this template.",
-                                fmt::format("Main dimensions: {}.", fmt::join(names, ", "))});
+            problems.push_back({Severity::Critical, Text::of("parameter {}", one.parameter),
+                                Text::of("it is no main dimension of this template."),
+                                Text::of("Main dimensions: {}.", fmt::join(names, ", "))});
         }
     }
     if (!problems.empty()) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "simcore/base/text.h"
+
 namespace simcore::project {
 namespace {
 
@@ -14,47 +16,47 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 // The inch is 25.4 mm and the pound 0.45359237 kg by definition (international yard and pound,
 // 1959).
 constexpr std::array kUnits{
-    Unit{"m", "length", 1.0},
-    Unit{"dm", "length", 0.1},
-    Unit{"cm", "length", 0.01},
-    Unit{"mm", "length", 0.001},
-    Unit{"km", "length", 1000.0},
-    Unit{"in", "length", 0.0254},
-    Unit{"kg", "mass", 1.0},
-    Unit{"g", "mass", 0.001},
-    Unit{"t", "mass", 1000.0},
-    Unit{"lb", "mass", 0.45359237},
-    Unit{"rad", "angle", 1.0},
-    Unit{"deg", "angle", kDegree},
-    Unit{"s", "time", 1.0},
-    Unit{"ms", "time", 0.001},
-    Unit{"min", "time", 60.0},
-    Unit{"N", "force", 1.0},
-    Unit{"mN", "force", 0.001},
-    Unit{"kN", "force", 1000.0},
-    Unit{"N*m", "torque", 1.0},
-    Unit{"N m", "torque", 1.0},
-    Unit{"N*mm", "torque", 0.001},
-    Unit{"mN*m", "torque", 0.001},
-    Unit{"m/s", "speed", 1.0},
-    Unit{"cm/s", "speed", 0.01},
-    Unit{"mm/s", "speed", 0.001},
-    Unit{"km/h", "speed", 1.0 / 3.6},
-    Unit{"m/s^2", "acceleration", 1.0},
-    Unit{"rad/s", "angular speed", 1.0},
-    Unit{"deg/s", "angular speed", kDegree},
-    Unit{"rpm", "angular speed", std::numbers::pi / 30.0},
-    Unit{"N/m", "stiffness", 1.0},
-    Unit{"N/mm", "stiffness", 1000.0},
-    Unit{"kN/m", "stiffness", 1000.0},
-    Unit{"N*s/m", "damping", 1.0},
-    Unit{"N*m/rad", "torsional stiffness", 1.0},
-    Unit{"N*m/deg", "torsional stiffness", 1.0 / kDegree},
-    Unit{"N*m*s/rad", "torsional damping", 1.0},
-    Unit{"kg*m^2", "inertia", 1.0},
-    Unit{"g*cm^2", "inertia", 1e-7},
-    Unit{"%", "ratio", 0.01},
-    Unit{"-", "ratio", 1.0},
+    Unit{"m", Text::mark("length"), 1.0},
+    Unit{"dm", Text::mark("length"), 0.1},
+    Unit{"cm", Text::mark("length"), 0.01},
+    Unit{"mm", Text::mark("length"), 0.001},
+    Unit{"km", Text::mark("length"), 1000.0},
+    Unit{"in", Text::mark("length"), 0.0254},
+    Unit{"kg", Text::mark("mass"), 1.0},
+    Unit{"g", Text::mark("mass"), 0.001},
+    Unit{"t", Text::mark("mass"), 1000.0},
+    Unit{"lb", Text::mark("mass"), 0.45359237},
+    Unit{"rad", Text::mark("angle"), 1.0},
+    Unit{"deg", Text::mark("angle"), kDegree},
+    Unit{"s", Text::mark("time"), 1.0},
+    Unit{"ms", Text::mark("time"), 0.001},
+    Unit{"min", Text::mark("time"), 60.0},
+    Unit{"N", Text::mark("force"), 1.0},
+    Unit{"mN", Text::mark("force"), 0.001},
+    Unit{"kN", Text::mark("force"), 1000.0},
+    Unit{"N*m", Text::mark("torque"), 1.0},
+    Unit{"N m", Text::mark("torque"), 1.0},
+    Unit{"N*mm", Text::mark("torque"), 0.001},
+    Unit{"mN*m", Text::mark("torque"), 0.001},
+    Unit{"m/s", Text::mark("speed"), 1.0},
+    Unit{"cm/s", Text::mark("speed"), 0.01},
+    Unit{"mm/s", Text::mark("speed"), 0.001},
+    Unit{"km/h", Text::mark("speed"), 1.0 / 3.6},
+    Unit{"m/s^2", Text::mark("acceleration"), 1.0},
+    Unit{"rad/s", Text::mark("angular speed"), 1.0},
+    Unit{"deg/s", Text::mark("angular speed"), kDegree},
+    Unit{"rpm", Text::mark("angular speed"), std::numbers::pi / 30.0},
+    Unit{"N/m", Text::mark("stiffness"), 1.0},
+    Unit{"N/mm", Text::mark("stiffness"), 1000.0},
+    Unit{"kN/m", Text::mark("stiffness"), 1000.0},
+    Unit{"N*s/m", Text::mark("damping"), 1.0},
+    Unit{"N*m/rad", Text::mark("torsional stiffness"), 1.0},
+    Unit{"N*m/deg", Text::mark("torsional stiffness"), 1.0 / kDegree},
+    Unit{"N*m*s/rad", Text::mark("torsional damping"), 1.0},
+    Unit{"kg*m^2", Text::mark("inertia"), 1.0},
+    Unit{"g*cm^2", Text::mark("inertia"), 1e-7},
+    Unit{"%", Text::mark("ratio"), 0.01},
+    Unit{"-", Text::mark("ratio"), 1.0},
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -127,7 +129,9 @@ std::string whyWrongDimension(std::string_view text, std::string_view dimension)
     if (!written || written->unit->dimension == dimension) {
         return {};
     }
-    return fmt::format("'{}' is a {}, but this is a {}", text, written->unit->dimension, dimension);
+    return Text::of("'{}' is a {}, but this is a {}", text,
+                    Text::translated(written->unit->dimension),
+                    Text::translated(std::string(dimension).c_str()));
 }
 
 std::string formatIn(double valueSi, std::string_view unit, int digits) {

@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <set>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/project/names.h"
 #include "simcore/project/resolve.h"
 
@@ -17,10 +16,10 @@ void validateScenario(const Project& project, const Scenario& scenario, Problems
     }
     for (const Problem& problem : parameters.problems()) {
         // The others are reported with the rover or the variant.
-        if (problem.element == "variant " + scenario.variant) {
-            appendNew(problems, {{problem.severity, "scenario " + scenario.name,
-                                  fmt::format("there is no variant '{}'.", scenario.variant),
-                                  problem.remedy}});
+        if (problem.element == Text::of("variant {}", scenario.variant)) {
+            appendNew(problems,
+                      {{problem.severity, Text::of("scenario {}", scenario.name),
+                        Text::of("there is no variant '{}'.", scenario.variant), problem.remedy}});
         }
     }
 }
@@ -37,8 +36,9 @@ Problems validate(const Project& project) {
     std::set<std::string> names;
     for (const Variant& variant : project.variants) {
         if (!names.insert(variant.name).second || variant.name.empty()) {
-            problems.push_back({Severity::Critical, "variant " + variant.name,
-                                "the name is empty or used twice.", "Rename it."});
+            problems.push_back({Severity::Critical, Text::of("variant {}", variant.name),
+                                Text::of("the name is empty or used twice."),
+                                Text::of("Rename it.")});
         }
         const auto values = evaluateParameters(project.rover, variant.set);
         Problems found = values.problems();
@@ -48,7 +48,7 @@ Problems validate(const Project& project) {
         for (Problem problem : found) {
             // What is wrong without the variant is reported once.
             if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
-                problem.element = "variant " + variant.name + ", " + problem.element;
+                problem.element = Text::of("variant {}, {}", variant.name, problem.element);
                 appendNew(problems, {problem});
             }
         }
@@ -56,8 +56,9 @@ Problems validate(const Project& project) {
     names.clear();
     for (const Scenario& scenario : project.scenarios) {
         if (!names.insert(scenario.name).second || scenario.name.empty()) {
-            problems.push_back({Severity::Critical, "scenario " + scenario.name,
-                                "the name is empty or used twice.", "Rename it."});
+            problems.push_back({Severity::Critical, Text::of("scenario {}", scenario.name),
+                                Text::of("the name is empty or used twice."),
+                                Text::of("Rename it.")});
         }
         validateScenario(project, scenario, problems);
     }

@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
+#include "simcore/base/text.h"
 #include "simcore/dynamics/engine.h"
 
 namespace simcore::review {
@@ -33,28 +33,26 @@ class Reviewer {
     std::vector<Finding> findings;
 
     void mobility(const mobility::Report& built, const mobility::Report& relaxed) {
-        const std::string rover = "rover " + project_.rover.name;
+        const std::string rover = Text::of("rover {}", project_.rover.name);
         if (mechanism_.wheels.empty()) {
             return;
         }
         if (built.mobility < 1) {
             add("cannot-move", Severity::Warning, rover,
-                fmt::format("as built it has mobility {} of at least 1: it cannot roll.",
-                            built.mobility),
-                "Give joints the freedoms it lacks.", built.mobility, 1.0);
+                Text::of("as built it has mobility {} of at least 1: it cannot roll.",
+                         built.mobility),
+                Text::of("Give joints the freedoms it lacks."), built.mobility, 1.0);
         }
         if (built.redundant > 0 && relaxed.redundant > 0) {
             add("hyperstatic", Severity::Warning, rover,
-                fmt::format(
-                    "{} constraints are redundant, and the relaxed model leaves {} of them.",
-                    built.redundant, relaxed.redundant),
-                "Ask the Advisor in Mobility what to free.", relaxed.redundant, 0.0);
+                Text::of("{} constraints are redundant, and the relaxed model leaves {} of them.",
+                         built.redundant, relaxed.redundant),
+                Text::of("Ask the Advisor in Mobility what to free."), relaxed.redundant, 0.0);
         }
         if (!built.idle.empty()) {
-            add("idle", Severity::Info, "body " + built.idle.front().body,
-                fmt::format("{} of its motions move neither chassis nor wheels.",
-                            built.idle.size()),
-                "Hold them by another type of joint, or leave them if nothing can jam.",
+            add("idle", Severity::Info, Text::of("body {}", built.idle.front().body),
+                Text::of("{} of its motions move neither chassis nor wheels.", built.idle.size()),
+                Text::of("Hold them by another type of joint, or leave them if nothing can jam."),
                 static_cast<double>(built.idle.size()), 0.0);
         }
     }
@@ -78,11 +76,11 @@ class Reviewer {
             return;
         }
         const double ratio = heaviest->mass / lightest->mass;
-        add("mass-ratio", Severity::Warning, "body " + lightest->name,
-            fmt::format("it has {:.3g} kg, {:.0f} times less than {} (limit {:.0f}): engines that "
-                        "iterate lose accuracy.",
-                        lightest->mass, ratio, heaviest->name, kMostMassRatio),
-            "Give it the mass of the real part, or weld it to its neighbour.", ratio,
+        add("mass-ratio", Severity::Warning, Text::of("body {}", lightest->name),
+            Text::of("it has {:.3g} kg, {:.0f} times less than {} (limit {:.0f}): engines that "
+                     "iterate lose accuracy.",
+                     lightest->mass, ratio, heaviest->name, kMostMassRatio),
+            Text::of("Give it the mass of the real part, or weld it to its neighbour."), ratio,
             kMostMassRatio);
     }
 
@@ -98,10 +96,10 @@ class Reviewer {
         for (const Wheel& wheel : mechanism_.wheels) {
             const double height = footOf(wheel) - lowest;
             if (height > kOffGround) {
-                add("off-ground", Severity::Warning, "wheel " + wheel.name,
-                    fmt::format("it is drawn {:.1f} mm above the lowest wheel (limit {:.0f} mm).",
-                                1e3 * height, 1e3 * kOffGround),
-                    "Put its axle one radius above the ground.", height, kOffGround);
+                add("off-ground", Severity::Warning, Text::of("wheel {}", wheel.name),
+                    Text::of("it is drawn {:.1f} mm above the lowest wheel (limit {:.0f} mm).",
+                             1e3 * height, 1e3 * kOffGround),
+                    Text::of("Put its axle one radius above the ground."), height, kOffGround);
             }
         }
         const auto margin = supportMargin(mechanism_);
@@ -115,14 +113,14 @@ class Reviewer {
         const double size = std::min(0.5 * mechanism_.wheelbase(), halfTrack);
         if (*margin < kLeastSupport * size) {
             add("support", *margin < 0.0 ? Severity::Warning : Severity::Info,
-                "rover " + project_.rover.name,
+                Text::of("rover {}", project_.rover.name),
                 *margin < 0.0
-                    ? fmt::format("its centre of mass lies {:.0f} mm outside its feet: it tips.",
-                                  -1e3 * *margin)
-                    : fmt::format("its centre of mass lies only {:.0f} mm inside its feet (limit "
-                                  "{:.0f} mm).",
-                                  1e3 * *margin, 1e3 * kLeastSupport * size),
-                "Move mass or wheels.", *margin, kLeastSupport * size);
+                    ? Text::of("its centre of mass lies {:.0f} mm outside its feet: it tips.",
+                               -1e3 * *margin)
+                    : Text::of("its centre of mass lies only {:.0f} mm inside its feet (limit "
+                               "{:.0f} mm).",
+                               1e3 * *margin, 1e3 * kLeastSupport * size),
+                Text::of("Move mass or wheels."), *margin, kLeastSupport * size);
         }
     }
 
@@ -137,10 +135,10 @@ class Reviewer {
                 const double deep = wheels[i].radius + wheels[k].radius - apart;
                 const bool beside = aside >= 0.5 * (wheels[i].width + wheels[k].width);
                 if (deep > 0.0 && !beside) {
-                    add("overlap", Severity::Warning, "wheel " + wheels[k].name,
-                        fmt::format("it stands {:.0f} mm deep in wheel {}.", 1e3 * deep,
-                                    wheels[i].name),
-                        "Move one of them, or make them smaller.", deep, 0.0);
+                    add("overlap", Severity::Warning, Text::of("wheel {}", wheels[k].name),
+                        Text::of("it stands {:.0f} mm deep in wheel {}.", 1e3 * deep,
+                                 wheels[i].name),
+                        Text::of("Move one of them, or make them smaller."), deep, 0.0);
                 }
             }
         }
@@ -172,18 +170,18 @@ class Reviewer {
         const double least = std::sqrt(std::max(0.0, solver.eigenvalues()[0]) / body.mass);
         const double most = std::sqrt(std::max(0.0, solver.eigenvalues()[2]) / body.mass);
         if (least < kThinnestGyration) {
-            add("inertia", Severity::Info, "body " + body.name,
-                fmt::format("its least radius of gyration is {:.2f} mm (limit {:.0f} mm): it turns "
-                            "as easily as a needle.",
-                            1e3 * least, 1e3 * kThinnestGyration),
-                "Check its inertia, or leave it away to have that of its shapes.", least,
+            add("inertia", Severity::Info, Text::of("body {}", body.name),
+                Text::of("its least radius of gyration is {:.2f} mm (limit {:.0f} mm): it turns "
+                         "as easily as a needle.",
+                         1e3 * least, 1e3 * kThinnestGyration),
+                Text::of("Check its inertia, or leave it away to have that of its shapes."), least,
                 kThinnestGyration);
         } else if (size > 0.0 && most > kWidestGyration * size) {
-            add("inertia", Severity::Warning, "body " + body.name,
-                fmt::format("its radius of gyration is {:.2f} m, {:.1f} times the rover's size "
-                            "(limit {:.0f}).",
-                            most, most / size, kWidestGyration),
-                "Check its inertia: kg m^2, about its own centre of mass.", most,
+            add("inertia", Severity::Warning, Text::of("body {}", body.name),
+                Text::of("its radius of gyration is {:.2f} m, {:.1f} times the rover's size "
+                         "(limit {:.0f}).",
+                         most, most / size, kWidestGyration),
+                Text::of("Check its inertia: kg m^2, about its own centre of mass."), most,
                 kWidestGyration * size);
         }
     }
@@ -210,12 +208,12 @@ class Reviewer {
                 one.run.step = round;
             }
         }
-        add("step", Severity::Warning, "scenario " + scenario.name,
-            fmt::format("the rover goes {:.2f} mm in a step of {:.3g} ms (limit {:.2f} mm, a "
-                        "hundredth of a wheel's radius): contacts are met too late.",
-                        1e3 * way, 1e3 * values.step, 1e3 * kMostWayPerStep * radius),
-            "Take a smaller step or a lower speed.", way, kMostWayPerStep * radius,
-            Fix{fmt::format("Step of {:.3g} ms", 1e3 * round), std::move(fixed)});
+        add("step", Severity::Warning, Text::of("scenario {}", scenario.name),
+            Text::of("the rover goes {:.2f} mm in a step of {:.3g} ms (limit {:.2f} mm, a "
+                     "hundredth of a wheel's radius): contacts are met too late.",
+                     1e3 * way, 1e3 * values.step, 1e3 * kMostWayPerStep * radius),
+            Text::of("Take a smaller step or a lower speed."), way, kMostWayPerStep * radius,
+            Fix{Text::of("Step of {:.3g} ms", 1e3 * round), std::move(fixed)});
     }
 
     /// What an even slope asks for, whatever the suspension does: tan(slope) of friction, and
@@ -231,11 +229,11 @@ class Reviewer {
         }
         const double friction = std::tan(std::abs(*angle));
         if (friction > values.friction) {
-            add("friction", Severity::Warning, "scenario " + scenario.name,
-                fmt::format("its slope of {:.1f} deg asks for a friction of {:.2f}, and the ground "
-                            "gives {:.2f}.",
-                            *angle / kDegree, friction, values.friction),
-                "Lower the slope or raise the friction.", values.friction, friction);
+            add("friction", Severity::Warning, Text::of("scenario {}", scenario.name),
+                Text::of("its slope of {:.1f} deg asks for a friction of {:.2f}, and the ground "
+                         "gives {:.2f}.",
+                         *angle / kDegree, friction, values.friction),
+                Text::of("Lower the slope or raise the friction."), values.friction, friction);
         }
         double traction = 0.0;
         for (const Wheel& wheel : mechanism_.wheels) {
@@ -245,11 +243,12 @@ class Reviewer {
         const double needed = weight * (std::sin(std::abs(*angle)) +
                                         values.rollingResistance * std::cos(std::abs(*angle)));
         if (kind == project::TerrainKind::Ramp && traction < needed) {
-            add("torque", Severity::Warning, "scenario " + scenario.name,
-                fmt::format("its slope of {:.1f} deg asks for {:.0f} N of traction, and all motors "
-                            "together give {:.0f} N.",
-                            *angle / kDegree, needed, traction),
-                "Take stronger motors, smaller wheels or a lower slope.", traction, needed);
+            add("torque", Severity::Warning, Text::of("scenario {}", scenario.name),
+                Text::of("its slope of {:.1f} deg asks for {:.0f} N of traction, and all motors "
+                         "together give {:.0f} N.",
+                         *angle / kDegree, needed, traction),
+                Text::of("Take stronger motors, smaller wheels or a lower slope."), traction,
+                needed);
         }
     }
 
@@ -318,17 +317,17 @@ Problem asProblem(const Finding& finding) {
 }
 
 std::vector<std::pair<std::string, std::string>> kinds() {
-    return {{"cannot-move", "Cannot move"},
-            {"hyperstatic", "Redundant constraints"},
-            {"idle", "Idle freedoms"},
-            {"mass-ratio", "Mass ratio"},
-            {"inertia", "Inertia"},
-            {"off-ground", "Wheel off the ground"},
-            {"support", "Centre of mass near the edge of its feet"},
-            {"overlap", "Wheels in one another"},
-            {"step", "Step too large for the speed"},
-            {"friction", "Too little friction for a scenario"},
-            {"torque", "Too little torque for a scenario"}};
+    return {{"cannot-move", Text::of("Cannot move")},
+            {"hyperstatic", Text::of("Redundant constraints")},
+            {"idle", Text::of("Idle freedoms")},
+            {"mass-ratio", Text::of("Mass ratio")},
+            {"inertia", Text::of("Inertia")},
+            {"off-ground", Text::of("Wheel off the ground")},
+            {"support", Text::of("Centre of mass near the edge of its feet")},
+            {"overlap", Text::of("Wheels in one another")},
+            {"step", Text::of("Step too large for the speed")},
+            {"friction", Text::of("Too little friction for a scenario")},
+            {"torque", Text::of("Too little torque for a scenario")}};
 }
 
 std::vector<Finding> review(const Project& project, const project::ParameterValues& parameters,

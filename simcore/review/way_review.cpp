@@ -5,8 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/dynamics/engine.h"
 #include "simcore/statics/traverse.h"
 
@@ -68,23 +67,24 @@ Climb climb(const run::ResolvedRun& run, const mechanism::Mechanism& rover,
 Finding findingOf(const run::ResolvedRun& run, std::string kind, std::string remedy) {
     Finding finding;
     finding.kind = std::move(kind);
-    finding.element = "scenario " + run.scenario;
+    finding.element = Text::of("scenario {}", run.scenario);
     finding.remedy = std::move(remedy);
     return finding;
 }
 
 Finding tooLittleFriction(const run::ResolvedRun& run, const Climb& strong) {
-    Finding finding = findingOf(
-        run, "friction", "Lower the obstacle, change the suspension, or raise the friction.");
+    Finding finding =
+        findingOf(run, "friction",
+                  Text::of("Lower the obstacle, change the suspension, or raise the friction."));
     const auto& samples = strong.traverse.samples;
     if (samples.empty()) {
-        finding.reason = "the rover finds no way to stand at its start.";
+        finding.reason = Text::of("the rover finds no way to stand at its start.");
         return finding;
     }
     if (!strong.arrives) {
         finding.reason =
-            fmt::format("no friction is enough: at x = {:.2f} m no torques move the rover on.",
-                        samples.back().distance);
+            Text::of("no friction is enough: at x = {:.2f} m no torques move the rover on.",
+                     samples.back().distance);
         finding.value = run.friction;
         finding.limit = std::numeric_limits<double>::infinity();
         return finding;
@@ -92,16 +92,16 @@ Finding tooLittleFriction(const run::ResolvedRun& run, const Climb& strong) {
     const TraverseSample& hardest = samples[strong.hardest];
     finding.value = frictionUnder(run, hardest);
     finding.limit = hardest.study.frictionRequired;
-    finding.reason = fmt::format(
-        "at x = {:.2f} m it asks for a friction of {:.2f}, and the ground gives {:.2f}.",
-        hardest.distance, finding.limit, finding.value);
+    finding.reason =
+        Text::of("at x = {:.2f} m it asks for a friction of {:.2f}, and the ground gives {:.2f}.",
+                 hardest.distance, finding.limit, finding.value);
     return finding;
 }
 
 /// The wheel whose motor is asked for most beyond its limit where the motors do not suffice.
 Finding tooLittleTorque(const run::ResolvedRun& run, const Climb& strong) {
-    Finding finding =
-        findingOf(run, "torque", "Take stronger motors, smaller wheels or a lower obstacle.");
+    Finding finding = findingOf(
+        run, "torque", Text::of("Take stronger motors, smaller wheels or a lower obstacle."));
     double most = 0.0, at = 0.0;
     std::string wheel;
     for (const TraverseSample& sample : strong.traverse.samples) {
@@ -117,7 +117,7 @@ Finding tooLittleTorque(const run::ResolvedRun& run, const Climb& strong) {
             }
         }
     }
-    finding.reason = fmt::format(
+    finding.reason = Text::of(
         "at x = {:.2f} m it asks for {:.2f} N m at wheel {}, and its motor gives {:.2f} N m.", at,
         finding.limit, wheel, finding.value);
     return finding;

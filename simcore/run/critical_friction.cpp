@@ -1,6 +1,6 @@
 #include "simcore/run/critical_friction.h"
 
-#include <fmt/format.h>
+#include "simcore/base/text.h"
 
 namespace simcore::run {
 
@@ -8,10 +8,10 @@ Result<CriticalFriction> findCriticalFriction(
     const project::Project& project, RunRequest request, double low, double high, double tolerance,
     const std::function<void(double friction, bool completed)>& progress) {
     if (!(low >= 0.0 && high > low && tolerance > 0.0)) {
-        return Problem{Severity::Critical, "friction",
-                       fmt::format("{:.4g} to {:.4g} in steps of {:.4g} cannot be searched.", low,
-                                   high, tolerance),
-                       "Give 0 <= low < high and a tolerance above zero."};
+        return Problem{Severity::Critical, Text::of("friction"),
+                       Text::of("{:.4g} to {:.4g} in steps of {:.4g} cannot be searched.", low,
+                                high, tolerance),
+                       Text::of("Give 0 <= low < high and a tolerance above zero.")};
     }
     CriticalFriction bracket{low, high, 0};
     Problems problems;
@@ -33,17 +33,18 @@ Result<CriticalFriction> findCriticalFriction(
         }
         return completed;
     };
-    const auto outside = [](double friction, const char* what, const char* remedy) {
-        return Problem{Severity::Critical, "friction",
-                       fmt::format("the run {} at {:.4g}.", what, friction), remedy};
+    const auto outside = [](std::string reason, std::string remedy) {
+        return Problem{Severity::Critical, Text::of("friction"), std::move(reason),
+                       std::move(remedy)};
     };
     if (!completesAt(high)) {
-        return problems.empty() ? Problems{outside(high, "does not complete",
-                                                   "Search higher, or make it easier.")}
-                                : problems;
+        return problems.empty()
+                   ? Problems{outside(Text::of("the run does not complete at {:.4g}.", high),
+                                      Text::of("Search higher, or make it easier."))}
+                   : problems;
     }
     if (completesAt(low)) {
-        return outside(low, "completes", "Search lower.");
+        return outside(Text::of("the run completes at {:.4g}.", low), Text::of("Search lower."));
     }
     while (bracket.completes - bracket.fails > tolerance && problems.empty()) {
         (completesAt(bracket.middle()) ? bracket.completes : bracket.fails) = bracket.middle();

@@ -4,7 +4,7 @@
 #include <locale>
 #include <sstream>
 
-#include <fmt/format.h>
+#include "simcore/base/text.h"
 
 namespace simcore::run {
 namespace {
@@ -25,27 +25,29 @@ Result<DriveScript> parseDriveScript(std::string_view text) {
         char comma = 0;
         char second = 0;
         const auto complain = [&](std::string reason) {
-            return Problem{Severity::Critical, fmt::format("drive entry {}", script.size() + 1),
-                           std::move(reason),
-                           "Write TIME,SPEED,TURN in s, m/s and rad/s, with ; between entries."};
+            return Problem{
+                Severity::Critical, Text::of("drive entry {}", script.size() + 1),
+                std::move(reason),
+                Text::of("Write TIME,SPEED,TURN in s, m/s and rad/s, with ; between entries.")};
         };
         if (!(words >> next.time >> comma >> next.command.speed >> second >> next.command.turn) ||
             comma != ',' || second != ',' || !(words >> std::ws).eof()) {
-            return complain(fmt::format("'{}' is not understood.", entry));
+            return complain(Text::of("'{}' is not understood.", entry));
         }
         if (!(next.time >= 0.0) || (!script.empty() && !(next.time > script.back().time))) {
-            return complain(fmt::format("its time {:.6g} is not after the one before.", next.time));
+            return complain(Text::of("its time {:.6g} is not after the one before.", next.time));
         }
         if (!(std::abs(next.command.speed) <= kFastest &&
               std::abs(next.command.turn) <= kFastest)) {
-            return complain(fmt::format("speed {:.6g} or turn {:.6g} is above {:.0f}.",
-                                        next.command.speed, next.command.turn, kFastest));
+            return complain(Text::of("speed {:.6g} or turn {:.6g} is above {:.0f}.",
+                                     next.command.speed, next.command.turn, kFastest));
         }
         script.push_back(next);
     }
     if (script.empty()) {
-        return Problem{Severity::Critical, "drive", "it has no entries.",
-                       "Write TIME,SPEED,TURN in s, m/s and rad/s, with ; between entries."};
+        return Problem{
+            Severity::Critical, Text::of("drive"), Text::of("it has no entries."),
+            Text::of("Write TIME,SPEED,TURN in s, m/s and rad/s, with ; between entries.")};
     }
     return script;
 }

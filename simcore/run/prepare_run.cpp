@@ -4,8 +4,7 @@
 #include <map>
 #include <set>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/contact/body_contacts.h"
 #include "simcore/dynamics/engine.h"
 #include "simcore/io/terrain_file.h"
@@ -21,7 +20,7 @@ std::string scenarioNames(const project::Project& project) {
     for (const project::Scenario& scenario : project.scenarios) {
         names += (names.empty() ? "" : ", ") + scenario.name;
     }
-    return names.empty() ? "none" : names;
+    return names.empty() ? Text::of("none") : names;
 }
 
 project::Scenario withRequest(project::Scenario scenario, const RunRequest& request) {
@@ -75,11 +74,12 @@ void checkStartOfBodies(const ResolvedRun& run, Problems& problems) {
     }
     for (const auto& [body, depth] : depths) {
         if (depth > kDeepestStart) {
-            problems.push_back({Severity::Critical,
-                                "body " + run.mechanism.bodies[static_cast<std::size_t>(body)].name,
-                                fmt::format("it starts {:.1f} mm deep in the ground.", 1e3 * depth),
-                                "Start the terrain's first feature further ahead, raise the body's "
-                                "shapes, or set the run's body_contacts to false."});
+            problems.push_back(
+                {Severity::Critical,
+                 Text::of("body {}", run.mechanism.bodies[static_cast<std::size_t>(body)].name),
+                 Text::of("it starts {:.1f} mm deep in the ground.", 1e3 * depth),
+                 Text::of("Start the terrain's first feature further ahead, raise the body's "
+                          "shapes, or set the run's body_contacts to false.")});
         }
     }
 }
@@ -90,11 +90,12 @@ void checkStart(const ResolvedRun& run, Problems& problems) {
     for (const mechanism::Wheel& wheel : run.mechanism.wheels) {
         // Bodies start with their frames at the origin.
         if (std::isnan(run.terrain->heightAt(wheel.center.x(), wheel.center.y()))) {
-            problems.push_back({Severity::Critical, "wheel " + wheel.name,
-                                fmt::format("there is no ground under it at the start, x = {:.3g} "
-                                            "m, y = {:.3g} m.",
-                                            wheel.center.x(), wheel.center.y()),
-                                "Move the terrain's origin, so that the rover starts on it."});
+            problems.push_back(
+                {Severity::Critical, Text::of("wheel {}", wheel.name),
+                 Text::of("there is no ground under it at the start, x = {:.3g} "
+                          "m, y = {:.3g} m.",
+                          wheel.center.x(), wheel.center.y()),
+                 Text::of("Move the terrain's origin, so that the rover starts on it.")});
         }
     }
     contact::WheelContactFinder finder(run.mechanism, *run.terrain);
@@ -103,9 +104,10 @@ void checkStart(const ResolvedRun& run, Problems& problems) {
         if (contact.depth > kDeepestStart) {
             problems.push_back(
                 {Severity::Critical,
-                 "wheel " + run.mechanism.wheels[static_cast<std::size_t>(contact.wheel)].name,
-                 fmt::format("it starts {:.1f} mm deep in the ground.", 1e3 * contact.depth),
-                 "Start the terrain's first feature further ahead, or raise the wheel."});
+                 Text::of("wheel {}",
+                          run.mechanism.wheels[static_cast<std::size_t>(contact.wheel)].name),
+                 Text::of("it starts {:.1f} mm deep in the ground.", 1e3 * contact.depth),
+                 Text::of("Start the terrain's first feature further ahead, or raise the wheel.")});
         }
     }
     if (run.bodyContacts) {
@@ -194,14 +196,16 @@ Problems checkProject(const project::Project& project, const project::ProjectFil
         if (!parameters) {
             continue;  // reported above
         }
-        addNamed(terrain::whyNoTerrain(scenario.terrain, *parameters), "scenario " + scenario.name);
-        addNamed(io::whyNoTerrainFiles(scenario.terrain, files), "scenario " + scenario.name);
+        addNamed(terrain::whyNoTerrain(scenario.terrain, *parameters),
+                 Text::of("scenario {}", scenario.name));
+        addNamed(io::whyNoTerrainFiles(scenario.terrain, files),
+                 Text::of("scenario {}", scenario.name));
         if (!checked.insert({scenario.variant, scenario.run.engine}).second) {
             continue;  // the same rover again
         }
         if (const auto mechanism = project::resolve(project.rover, *parameters)) {
             addNamed(whyEngineCannotRun(scenario.run.engine, *mechanism),
-                     scenario.variant.empty() ? "" : "variant " + scenario.variant);
+                     scenario.variant.empty() ? "" : Text::of("variant {}", scenario.variant));
         }
     }
     return problems;
@@ -214,9 +218,9 @@ Result<const project::Scenario*> findScenario(const project::Project& project,
             return &scenario;
         }
     }
-    return Problem{Severity::Critical, "scenario " + name,
-                   "the project has no scenario of this name.",
-                   fmt::format("Use one of: {}.", scenarioNames(project))};
+    return Problem{Severity::Critical, Text::of("scenario {}", name),
+                   Text::of("the project has no scenario of this name."),
+                   Text::of("Use one of: {}.", scenarioNames(project))};
 }
 
 namespace {
@@ -299,8 +303,8 @@ Result<ResolvedRun> prepareRun(const project::Project& project, const RunRequest
         return problems;
     }
     if (run->mechanism.wheels.empty()) {
-        problems.push_back({Severity::Critical, "rover " + run->mechanism.name,
-                            "it has no wheels to drive on.", "Add wheels."});
+        problems.push_back({Severity::Critical, Text::of("rover {}", run->mechanism.name),
+                            Text::of("it has no wheels to drive on."), Text::of("Add wheels.")});
     }
     auto terrain = makeScenarioTerrain(asked->scenario, asked->parameters, request.files);
     appendNew(problems, terrain.problems());

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "simcore/base/text.h"
 #include "simcore/run/sampler.h"
 
 namespace simcore::run {
@@ -260,7 +261,7 @@ void RunWorker::Impl::advance() {
     } catch (const std::exception& error) {
         fail(error.what());
     } catch (...) {
-        fail("the simulation stopped for an unknown reason");
+        fail(Text::of("the simulation stopped for an unknown reason"));
     }
 }
 
@@ -285,7 +286,7 @@ void RunWorker::Impl::restart() {
     } catch (const std::exception& error) {
         fail(error.what());
     } catch (...) {
-        fail("the simulation could not be made");
+        fail(Text::of("the simulation could not be made"));
     }
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "simcore/base/hash.h"
+#include "simcore/base/text.h"
 #include "simcore/contact/body_contacts.h"
 #include "simcore/contact/wheel_contact.h"
 #include "simcore/control/controller.h"
@@ -278,7 +279,7 @@ void Simulation::Impl::step() {
     if (std::string body = blownUpBody(fastest); !body.empty()) {
         engine->restoreState(lastGood);
         reason = StopReason::NonFinite;
-        detail = "body " + body;
+        detail = Text::of("body {}", body);
     } else if (!trouble.empty()) {
         engine->restoreState(lastGood);
         reason = StopReason::SingularPose;
@@ -319,10 +320,10 @@ std::string Simulation::Impl::blownUpBody(double fastest) const {
 }
 
 std::string Simulation::Impl::whyStuck() const {
-    std::string why =
-        fmt::format("less than {:.0f} mm gained in {:.0f} s", 1e3 * kStuckDistance, kStuckTime);
+    const std::string why =
+        Text::of("less than {:.0f} mm gained in {:.0f} s", 1e3 * kStuckDistance, kStuckTime);
     if (controller->intent().resting) {
-        return why + ", though every wheel gave all that the ground takes; they rest";
+        return Text::of("{}, though every wheel gave all that the ground takes; they rest", why);
     }
     const auto atTractionCap = [this](std::size_t i) {
         const double cap = commands[i].torqueCap;
@@ -335,8 +336,8 @@ std::string Simulation::Impl::whyStuck() const {
         capped += now.wheels[i].touching && atTractionCap(i) ? 1 : 0;
     }
     if (capped > 0 && capped == touching) {
-        why += fmt::format(", every wheel at the traction cap of assumed friction {:.3g}",
-                           run.assumedFriction);
+        return Text::of("{}, every wheel at the traction cap of assumed friction {:.3g}", why,
+                        run.assumedFriction);
     }
     return why;
 }

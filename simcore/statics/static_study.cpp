@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/dynamics/engine.h"
 #include "simcore/mobility/stance.h"
 
@@ -51,18 +50,21 @@ bool alikeLeftAndRight(const Mechanism& mechanism, const std::vector<Pose>& pose
 Problems problemsOf(const Mechanism& mechanism, const StudyRequest& request) {
     Problems problems = dynamics::whyNoEngineCanRun(mechanism);
     if (mechanism.wheels.empty()) {
-        problems.push_back(
-            wrong("rover " + mechanism.name, "it has no wheels to stand on.", "Give it wheels."));
+        problems.push_back(wrong(Text::of("rover {}", mechanism.name),
+                                 Text::of("it has no wheels to stand on."),
+                                 Text::of("Give it wheels.")));
     }
     for (const WheelAngle& at : request.angles) {
         if (mechanism.findWheel(at.wheel) < 0) {
-            problems.push_back(wrong("contact " + at.wheel, "there is no such wheel.",
-                                     "Wheels are: " + wheelNames(mechanism) + "."));
+            problems.push_back(wrong(Text::of("contact {}", at.wheel),
+                                     Text::of("there is no such wheel."),
+                                     Text::of("Wheels are: {}.", wheelNames(mechanism))));
         }
         if (!(std::abs(at.angle) <= 0.5 * std::numbers::pi + 1e-9)) {
-            problems.push_back(wrong("contact " + at.wheel,
-                                     "ground that hangs over cannot carry a wheel.",
-                                     "Give an angle from -90 to 90 degrees; 90 is a wall ahead."));
+            problems.push_back(
+                wrong(Text::of("contact {}", at.wheel),
+                      Text::of("ground that hangs over cannot carry a wheel."),
+                      Text::of("Give an angle from -90 to 90 degrees; 90 is a wall ahead.")));
         }
     }
     return problems;

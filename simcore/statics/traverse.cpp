@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include "simcore/base/text.h"
 
 namespace simcore::statics {
 namespace {
@@ -243,41 +244,46 @@ class Creep {
         for (std::size_t i = 0; i < from.size(); ++i) {
             const std::string& name = mechanism.wheels[i].name;
             if (from[i].count == 0 && to[i].count > 0) {
-                events.push_back(name + " lands");
+                events.push_back(Text::of("{} lands", name));
             } else if (from[i].count > 0 && to[i].count == 0) {
-                events.push_back(name + " lifts");
+                events.push_back(Text::of("{} lifts", name));
             } else if (from[i].count < to[i].count) {
-                events.push_back(name + " meets");
+                events.push_back(Text::of("{} meets", name));
             } else if (from[i].count > to[i].count) {
-                events.push_back(name + " leaves");
+                events.push_back(Text::of("{} leaves", name));
             } else if (std::abs(from[i].foremost - to[i].foremost) > kJump) {
-                events.push_back(name + " drops");
+                events.push_back(Text::of("{} drops", name));
             }
             if (from[i].onEdge != to[i].onEdge) {
-                events.push_back(name + (to[i].onEdge ? " reaches edge" : " leaves edge"));
+                events.push_back(to[i].onEdge ? Text::of("{} reaches edge", name)
+                                              : Text::of("{} leaves edge", name));
             }
         }
         const auto compare = [&](const std::vector<int>& was, const std::vector<int>& is,
-                                 const auto& nameOf, const char* begins, const char* ends) {
+                                 const auto& begins, const auto& ends) {
             for (const int index : is) {
                 if (std::find(was.begin(), was.end(), index) == was.end()) {
-                    events.push_back(nameOf(index) + begins);
+                    events.push_back(begins(static_cast<std::size_t>(index)));
                 }
             }
             for (const int index : was) {
                 if (std::find(is.begin(), is.end(), index) == is.end()) {
-                    events.push_back(nameOf(index) + ends);
+                    events.push_back(ends(static_cast<std::size_t>(index)));
                 }
             }
         };
         compare(
             a.bodiesTouching, b.bodiesTouching,
-            [&](int i) { return mechanism.bodies[static_cast<std::size_t>(i)].name; }, " touches",
-            " is free");
+            [&](std::size_t i) { return Text::of("{} touches", mechanism.bodies[i].name); },
+            [&](std::size_t i) { return Text::of("{} is free", mechanism.bodies[i].name); });
         compare(
             a.jointsAtStop, b.jointsAtStop,
-            [&](int i) { return mechanism.joints[static_cast<std::size_t>(i)].name; },
-            " reaches its stop", " leaves its stop");
+            [&](std::size_t i) {
+                return Text::of("{} reaches its stop", mechanism.joints[i].name);
+            },
+            [&](std::size_t i) {
+                return Text::of("{} leaves its stop", mechanism.joints[i].name);
+            });
         return events;
     }
 

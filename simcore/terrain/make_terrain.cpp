@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "simcore/base/text.h"
 #include "simcore/project/names.h"
 #include "simcore/project/units.h"
 #include "simcore/terrain/fields.h"
@@ -34,16 +35,16 @@ class Part {
         : spec_(spec),
           element_(std::move(element)),
           parameters_(parameters) {
-        start_ = number(spec.start, "start");
-        height_ = number(spec.height, "height");
-        length_ = number(spec.length, "length");
-        slope_ = number(spec.slope, "slope", "angle");
-        radius_ = number(spec.radius, "radius");
-        coverage_ = number(spec.coverage, "coverage", "ratio");
-        cell_ = number(spec.cell, "cell");
-        scale_ = number(spec.scale, "scale", "ratio");
+        start_ = number(spec.start, Text::mark("start"));
+        height_ = number(spec.height, Text::mark("height"));
+        length_ = number(spec.length, Text::mark("length"));
+        slope_ = number(spec.slope, Text::mark("slope"), "angle");
+        radius_ = number(spec.radius, Text::mark("radius"));
+        coverage_ = number(spec.coverage, Text::mark("coverage"), "ratio");
+        cell_ = number(spec.cell, Text::mark("cell"));
+        scale_ = number(spec.scale, Text::mark("scale"), "ratio");
         for (std::size_t i = 0; i < 3; ++i) {
-            origin_[static_cast<Eigen::Index>(i)] = number(spec.origin[i], "origin");
+            origin_[static_cast<Eigen::Index>(i)] = number(spec.origin[i], Text::mark("origin"));
         }
         check();
     }
@@ -83,19 +84,23 @@ class Part {
     Problems whyNotPlaced(const Imports& imports) const;
 
   private:
+    std::string whereIs(const char* what) const { return element_ + ", " + Text::translated(what); }
+
+    /// @param what  marked
     double number(const project::Quantity& quantity, const char* what,
                   const char* dimension = "length") {
-        const auto value =
-            project::evaluate(quantity, parameters_, element_ + ", " + what, dimension);
-        appendNew(problems_, value.problems());
+        const auto value = project::evaluate(quantity, parameters_, {}, dimension);
+        for (Problem problem : value.problems()) {
+            problem.element = whereIs(what);
+            appendNew(problems_, {problem});
+        }
         return value ? *value : 0.0;
     }
 
     void complain(const char* what, double value, double low, double high) {
-        problems_.push_back(
-            {Severity::Critical, element_ + ", " + what,
-             fmt::format("{:.6g} is not between {:.6g} and {:.6g}.", value, low, high),
-             "Correct it; values are in SI unless a unit is written."});
+        problems_.push_back({Severity::Critical, whereIs(what),
+                             Text::of("{:.6g} is not between {:.6g} and {:.6g}.", value, low, high),
+                             Text::of("Correct it; values are in SI unless a unit is written.")});
     }
 
     void require(const char* what, double value, double low, double high) {
@@ -144,66 +149,66 @@ void Part::check() {
     if (kind() == TerrainKind::Flat || kind() == TerrainKind::Sum) {
         return;
     }
-    require("start", start_, -2.0, 1000.0);
+    require(Text::mark("start"), start_, -2.0, 1000.0);
     if (isField()) {
-        require("cell", fieldCell(), 0.001, 0.5);
+        require(Text::mark("cell"), fieldCell(), 0.001, 0.5);
     }
     constexpr double kThin = 1e-4;
     switch (kind()) {
         case TerrainKind::Ramp:
-            require("slope", slope_, -1.4, 1.4);
-            require("length", length_, 0.01, 1000.0);
+            require(Text::mark("slope"), slope_, -1.4, 1.4);
+            require(Text::mark("length"), length_, 0.01, 1000.0);
             break;
         case TerrainKind::CrossSlope:
-            require("slope", slope_, -1.0, 1.0);
-            require("length", length_, 0.1, 50.0);
+            require(Text::mark("slope"), slope_, -1.0, 1.0);
+            require(Text::mark("length"), length_, 0.1, 50.0);
             break;
         case TerrainKind::Step:
-            require("height", height_, -2.0, 2.0);
-            require("length", length_, 0.0, 1000.0);
+            require(Text::mark("height"), height_, -2.0, 2.0);
+            require(Text::mark("length"), length_, 0.0, 1000.0);
             if (std::abs(height_) < kThin) {
-                complain("height", height_, kThin, 2.0);
+                complain(Text::mark("height"), height_, kThin, 2.0);
             }
             break;
         case TerrainKind::Stairs:
-            require("height", height_, kThin, 2.0);
-            require("length", length_, 0.01, 100.0);
-            require("count", spec_.count, 1, 500);
+            require(Text::mark("height"), height_, kThin, 2.0);
+            require(Text::mark("length"), length_, 0.01, 100.0);
+            require(Text::mark("count"), spec_.count, 1, 500);
             break;
         case TerrainKind::Trench:
-            require("height", height_, kThin, 2.0);
-            require("length", length_, 0.001, 100.0);
+            require(Text::mark("height"), height_, kThin, 2.0);
+            require(Text::mark("length"), length_, 0.001, 100.0);
             break;
         case TerrainKind::Sinus:
-            require("height", height_, kThin, 5.0);
-            require("length", length_, 0.02, 100.0);
-            require("count", spec_.count, 1, 500);
+            require(Text::mark("height"), height_, kThin, 5.0);
+            require(Text::mark("length"), length_, 0.02, 100.0);
+            require(Text::mark("count"), spec_.count, 1, 500);
             break;
         case TerrainKind::Circle:
-            require("radius", radius_, 1e-3, 10.0);
-            require("height", height_, 0.0, radius_);
-            require("length", length_, 0.0, 100.0);
-            require("count", spec_.count, 1, 500);
+            require(Text::mark("radius"), radius_, 1e-3, 10.0);
+            require(Text::mark("height"), height_, 0.0, radius_);
+            require(Text::mark("length"), length_, 0.0, 100.0);
+            require(Text::mark("count"), spec_.count, 1, 500);
             break;
         case TerrainKind::RandomProfile:
-            require("height", height_, kThin, 2.0);
-            require("length", length_, 0.1, 500.0);
-            require("count", spec_.count, 1, 1000);
+            require(Text::mark("height"), height_, kThin, 2.0);
+            require(Text::mark("length"), length_, 0.1, 500.0);
+            require(Text::mark("count"), spec_.count, 1, 1000);
             break;
         case TerrainKind::Random3d:
-            require("height", height_, kThin, 2.0);
-            require("length", length_, 0.1, 50.0);
-            require("count", spec_.count, 1, 10000);
+            require(Text::mark("height"), height_, kThin, 2.0);
+            require(Text::mark("length"), length_, 0.1, 50.0);
+            require(Text::mark("count"), spec_.count, 1, 10000);
             break;
         case TerrainKind::Particles:
-            require("radius", radius_, 1.5 * fieldCell(), 1.0);
-            require("length", length_, 3.0 * radius_, 50.0);
-            require("count", spec_.count, 1, 100000);
+            require(Text::mark("radius"), radius_, 1.5 * fieldCell(), 1.0);
+            require(Text::mark("length"), length_, 3.0 * radius_, 50.0);
+            require(Text::mark("count"), spec_.count, 1, 100000);
             break;
         case TerrainKind::RockField:
-            require("radius", radius_, 2.0 * fieldCell(), 1.0);
-            require("length", length_, 3.0 * radius_, 50.0);
-            require("coverage", coverage_, 0.005, 0.4);
+            require(Text::mark("radius"), radius_, 2.0 * fieldCell(), 1.0);
+            require(Text::mark("length"), length_, 3.0 * radius_, 50.0);
+            require(Text::mark("coverage"), coverage_, 0.005, 0.4);
             break;
         default:
             break;
@@ -212,19 +217,19 @@ void Part::check() {
 
 void Part::checkFile() {
     for (const double coordinate : origin_) {
-        require("origin", coordinate, -1e7, 1e7);
+        require(Text::mark("origin"), coordinate, -1e7, 1e7);
     }
     if (kind() == TerrainKind::Image) {
-        require("cell", cell_, 0.001, 10.0);
-        require("height", height_, 0.0, 1000.0);
+        require(Text::mark("cell"), cell_, 0.001, 10.0);
+        require(Text::mark("height"), height_, 0.0, 1000.0);
         return;
     }
-    require("scale", scale_, 1e-6, 1e6);
+    require(Text::mark("scale"), scale_, 1e-6, 1e6);
     const project::Unit* unit = project::findUnit(spec_.units);
     if (unit == nullptr || std::string_view(unit->dimension) != "length") {
-        problems_.push_back({Severity::Critical, element_ + ", units",
-                             fmt::format("'{}' is no unit of length.", spec_.units),
-                             "Use one of: m, dm, cm, mm, km, in."});
+        problems_.push_back({Severity::Critical, element_ + ", " + Text::of("units"),
+                             Text::of("'{}' is no unit of length.", spec_.units),
+                             Text::of("Use one of: m, dm, cm, mm, km, in.")});
     }
 }
 
@@ -301,12 +306,11 @@ Problems Part::whyNotPlaced(const Imports& imports) const {
     }
     if (!(farthest <= kFarthestGround) || !(p.cell >= kClosest)) {
         return {
-            {Severity::Critical, element_ + ", file",
-             fmt::format("its points are {:.6g} m apart and up to {:.6g} m away.", p.cell,
-                         farthest),
-             fmt::format("Check the file, its units, scale and origin: {} m apart at least, {} m "
-                         "away at most.",
-                         kClosest, kFarthestGround)}};
+            {Severity::Critical, element_ + ", " + Text::of("file"),
+             Text::of("its points are {:.6g} m apart and up to {:.6g} m away.", p.cell, farthest),
+             Text::of("Check the file, its units, scale and origin: {} m apart at least, {} m "
+                      "away at most.",
+                      kClosest, kFarthestGround)}};
     }
     return {};
 }
@@ -326,9 +330,9 @@ Result<Terrain> Part::makeRaster(const Imports& imports) const {
         }
     }
     if (!solid) {
-        return Problem{Severity::Critical, element_ + ", file",
-                       "no cell of the grid has a height at all of its corners.",
-                       "Check the file and its value for 'no data'."};
+        return Problem{Severity::Critical, element_ + ", " + Text::of("file"),
+                       Text::of("no cell of the grid has a height at all of its corners."),
+                       Text::of("Check the file and its value for 'no data'.")};
     }
     return Terrain::grid(field.x0, field.y0, field.cell, field.nx, field.ny, field.heights);
 }
@@ -352,7 +356,7 @@ class TerrainMaker {
   public:
     TerrainMaker(const project::Terrain& spec, const project::ParameterValues& parameters,
                  double travel)
-        : element_("terrain " + project::nameOf(spec.kind)),
+        : element_(Text::of("terrain {}", project::nameOf(spec.kind))),
           travel_(travel) {
         if (spec.kind != TerrainKind::Sum) {
             parts_.emplace_back(spec, parameters, element_);
@@ -369,9 +373,9 @@ class TerrainMaker {
 
     Result<Terrain> make(const Imports& imports) {
         if (!(std::abs(travel_) <= 1000.0)) {
-            problems_.push_back({Severity::Critical, element_ + ", travel",
-                                 fmt::format("{:.6g} m is more than 1000 m.", travel_),
-                                 "Shorten the run's distance."});
+            problems_.push_back({Severity::Critical, element_ + ", " + Text::of("travel"),
+                                 Text::of("{:.6g} m is more than 1000 m.", travel_),
+                                 Text::of("Shorten the run's distance.")});
         }
         for (const Part& part : parts_) {
             if (part.isRaster() && !hasCritical(problems_)) {
@@ -402,15 +406,16 @@ class TerrainMaker {
         }
         constexpr std::size_t kMostParts = 50;
         if (parts_.empty() || parts_.size() > kMostParts) {
-            problems_.push_back({Severity::Critical, element_ + ", terrains",
-                                 fmt::format("{} terrains are added.", parts_.size()),
-                                 fmt::format("Give 1 to {}.", kMostParts)});
+            problems_.push_back({Severity::Critical, element_ + ", " + Text::of("terrains"),
+                                 Text::of("{} terrains are added.", parts_.size()),
+                                 Text::of("Give 1 to {}.", kMostParts)});
         }
         for (const Part& part : parts_) {
             if (part.kind() == TerrainKind::Sum || part.kind() == TerrainKind::Mesh) {
-                problems_.push_back({Severity::Critical, part.element(),
-                                     "a sum and a mesh cannot be added to others.",
-                                     "List the terrains of the inner sum; use a mesh alone."});
+                problems_.push_back(
+                    {Severity::Critical, part.element(),
+                     Text::of("a sum and a mesh cannot be added to others."),
+                     Text::of("List the terrains of the inner sum; use a mesh alone.")});
             }
         }
     }
@@ -472,11 +477,11 @@ class TerrainMaker {
         const double columns = (end + kBeyond - field.x0) / field.cell + 1.0;
         field.ny = static_cast<int>(std::lround(2.0 * kFieldHalfWidth / field.cell)) + 1;
         if (columns * field.ny > static_cast<double>(kMostRasterPoints)) {
-            return Problem{Severity::Critical, element_ + ", cell",
-                           fmt::format("cells of {:.6g} m give {:.0f} x {} points.", field.cell,
-                                       columns, field.ny),
-                           fmt::format("Choose larger cells or a shorter way: at most {} points.",
-                                       kMostRasterPoints)};
+            return Problem{Severity::Critical, element_ + ", " + Text::of("cell"),
+                           Text::of("cells of {:.6g} m give {:.0f} x {} points.", field.cell,
+                                    columns, field.ny),
+                           Text::of("Choose larger cells or a shorter way: at most {} points.",
+                                    kMostRasterPoints)};
         }
         field.nx = static_cast<int>(columns);
         field.heights.assign(

@@ -4,8 +4,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include <fmt/format.h>
-
+#include "simcore/base/text.h"
 #include "simcore/terrain/imports.h"
 #include "simcore/terrain/mesh_edges.h"
 
@@ -95,42 +94,42 @@ Result<TriangleMesh> cleanMesh(const TriangleMesh& mesh, const std::string& elem
     };
     for (const Vec3& v : mesh.vertices) {
         if (!(v.cwiseAbs().maxCoeff() <= kFarthestGround)) {
-            return critical("a vertex is not a finite number, or more than 10 km away.",
-                            "Check the file and its units, scale and origin.");
+            return critical(Text::of("a vertex is not a finite number, or more than 10 km away."),
+                            Text::of("Check the file and its units, scale and origin."));
         }
     }
     TriangleMesh clean = weld(mesh);
     if (clean.triangles.empty()) {
-        return critical("the mesh has no triangles with an area.",
-                        "Check the file, its units and scale.");
+        return critical(Text::of("the mesh has no triangles with an area."),
+                        Text::of("Check the file, its units and scale."));
     }
     Problems problems;
     const auto warn = [&](std::string reason, std::string remedy) {
         problems.push_back({Severity::Warning, element, std::move(reason), std::move(remedy)});
     };
     if (const std::size_t dropped = mesh.triangles.size() - clean.triangles.size(); dropped > 0) {
-        warn(fmt::format("{} triangles without area were left out.", dropped),
-             "Clean the mesh if it looks wrong.");
+        warn(Text::of("{} triangles without area were left out.", dropped),
+             Text::of("Clean the mesh if it looks wrong."));
     }
     if (areaFromAbove(clean) < 0.0) {
         for (Triangle& t : clean.triangles) {
             std::swap(t[1], t[2]);
         }
-        warn("its triangles face down; the mesh was turned over.",
-             "Check the up axis, or turn the normals in the file.");
+        warn(Text::of("its triangles face down; the mesh was turned over."),
+             Text::of("Check the up axis, or turn the normals in the file."));
     }
     const EdgeCounts edges = countEdges(clean);
     if (edges.crowded > 0) {
-        warn(fmt::format("{} edges have more than two triangles.", edges.crowded),
-             "Wheels may touch inner faces there; clean the mesh.");
+        warn(Text::of("{} edges have more than two triangles.", edges.crowded),
+             Text::of("Wheels may touch inner faces there; clean the mesh."));
     }
     if (edges.opposed > 0) {
-        warn(fmt::format("{} edges lie between triangles that face opposite sides.", edges.opposed),
-             "Wheels pass through a face from behind; make the normals consistent.");
+        warn(Text::of("{} edges lie between triangles that face opposite sides.", edges.opposed),
+             Text::of("Wheels pass through a face from behind; make the normals consistent."));
     }
     if (edges.rims > 1) {
-        warn(fmt::format("it has {} rims, one outline and holes or several pieces.", edges.rims),
-             "Wheels can fall into holes; close them if that is not meant.");
+        warn(Text::of("it has {} rims, one outline and holes or several pieces.", edges.rims),
+             Text::of("Wheels can fall into holes; close them if that is not meant."));
     }
     return Result<TriangleMesh>(std::move(clean), std::move(problems));
 }

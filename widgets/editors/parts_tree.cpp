@@ -515,7 +515,7 @@ int PartsTree::currentBody() const {
     const Project& project = document_->project();
     const auto at = static_cast<std::size_t>(current.index);
     const auto named = [&](const std::string& body) {
-        return simcore::project::findElement(project, "body " + body).index;
+        return simcore::project::findElement(project, ElementKind::Body, body).index;
     };
     switch (current.kind) {
         case ElementKind::Body:

@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include "widgets/panels/mobility_text.h"
+
 namespace widgets {
 
 using simcore::mobility::Advice;
@@ -31,7 +33,7 @@ QString changeText(const JointChange& change) {
     QString text =
         change.wheel >= 0
             ? say(QT_TRANSLATE_NOOP("widgets::AdvisorPage", "%1: held → free sideways"))
-                  .arg(QString::fromStdString(change.element))
+                  .arg(elementText(change.element))
             : QString("%1: %2 → %3")
                   .arg(QString::fromStdString(change.element), QString::fromStdString(change.from),
                        QString::fromStdString(change.to));

@@ -28,7 +28,6 @@ constexpr double kLonger = 6.0;       // how much longer the next search may tak
 constexpr int kTick_ms = 100;
 constexpr int kProposalRole = Qt::UserRole;
 constexpr int kChangeRole = Qt::UserRole + 1;
-constexpr std::string_view kContact = "contact ";
 
 QTreeWidgetItem* proposalItem(const Proposal& proposal, int index) {
     auto* item = new QTreeWidgetItem(
@@ -293,7 +292,7 @@ void AdvisorPage::choose(QTreeWidgetItem* item) {
                                     .changes[static_cast<std::size_t>(change)];
     const std::string& name = chosen.copies.front();
     if (chosen.wheel >= 0) {
-        emit wheelChosen(QString::fromStdString(name.substr(kContact.size())));
+        emit wheelChosen(QString::fromStdString(simcore::mobility::wheelOfContact(name)));
     } else {
         emit jointChosen(QString::fromStdString(name));
     }
@@ -311,7 +310,7 @@ void AdvisorPage::markSelected() {
              advice->proposals[static_cast<std::size_t>(selected())].changes) {
             for (const std::string& copy : change.copies) {
                 if (change.wheel >= 0) {
-                    wheels << QString::fromStdString(copy.substr(kContact.size()));
+                    wheels << QString::fromStdString(simcore::mobility::wheelOfContact(copy));
                 } else {
                     joints << QString::fromStdString(copy);
                 }

@@ -7,6 +7,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "simcore/base/text.h"
 #include "simcore/project/edit.h"
 #include "simcore/project/units.h"
 #include "widgets/editors/quantity_field.h"
@@ -51,7 +52,7 @@ MassPanel::MassPanel(Document* document, QWidget* parent)
         auto* field = new QuantityField(
             document_, name, "mm", [this, axis](const Quantity& value, const QString& key) {
                 const auto number = simcore::project::evaluate(
-                    value, document_->derived().parameters, "centre of mass");
+                    value, document_->derived().parameters, simcore::Text::of("centre of mass"));
                 return number ? moveCenterOfMass(axis, *number, key) : number.problems();
             });
         field->setObjectName(QString("com:%1").arg(axis));

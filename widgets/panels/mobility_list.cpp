@@ -20,6 +20,7 @@ namespace widgets {
 
 using simcore::mobility::ConstraintName;
 using simcore::mobility::ReactionDeterminacy;
+using simcore::mobility::wheelOfContact;
 
 namespace {
 
@@ -28,8 +29,6 @@ constexpr int kWheelRole = Qt::UserRole + 1;
 constexpr int kShareRole = Qt::UserRole + 2;
 constexpr int kLoopJointsRole = Qt::UserRole + 3;
 constexpr int kLoopBodiesRole = Qt::UserRole + 4;
-
-const std::string kContact = "contact ";
 
 QString directionText(const simcore::Vec3& d) {
     static constexpr std::array kAxes{"x", "y", "z"};
@@ -193,12 +192,12 @@ void MobilityList::unmark() {
 }
 
 QTreeWidgetItem* MobilityList::elementItem(const std::string& element) const {
-    auto* item = new QTreeWidgetItem({QString::fromStdString(element)});
+    auto* item = new QTreeWidgetItem({elementText(element)});
     item->setToolTip(0, item->text(0));
-    if (element.starts_with(kContact)) {
-        item->setData(0, kWheelRole, QString::fromStdString(element.substr(kContact.size())));
+    if (const std::string wheel = wheelOfContact(element); !wheel.empty()) {
+        item->setData(0, kWheelRole, QString::fromStdString(wheel));
     } else {
-        item->setData(0, kJointRole, item->text(0));
+        item->setData(0, kJointRole, QString::fromStdString(element));
     }
     return item;
 }
@@ -247,14 +246,14 @@ QList<QTreeWidgetItem*> MobilityList::loopItems() {
            "it. What is redundant in the whole may be more than in the loops."));
     QList<QTreeWidgetItem*> items;
     for (const simcore::mobility::Loop& loop : loops) {
-        QStringList joints, bodies;
+        QStringList joints, names, bodies;
         auto* item = new QTreeWidgetItem;
         for (const std::string& element : loop.joints) {
             item->addChild(elementItem(element));
             joints << QString::fromStdString(element);
-            if (element.starts_with(kContact)) {
-                const int wheel = mechanism_.findWheel(element.substr(kContact.size()));
-                const auto at = static_cast<std::size_t>(std::max(0, wheel));
+            names << elementText(element);
+            if (const std::string wheel = wheelOfContact(element); !wheel.empty()) {
+                const auto at = static_cast<std::size_t>(std::max(0, mechanism_.findWheel(wheel)));
                 const auto body = static_cast<std::size_t>(mechanism_.wheels.at(at).body);
                 bodies << QString::fromStdString(mechanism_.bodies.at(body).name);
             }
@@ -272,11 +271,11 @@ QList<QTreeWidgetItem*> MobilityList::loopItems() {
                                    .arg(loop.redundant);
         item->setText(0, (loop.gear ? tr("Gear %1: %2") : tr("Loop %1: %2"))
                              .arg(items.size() + 1)
-                             .arg(joints.join(", ")));
+                             .arg(names.join(", ")));
         item->setText(1,
                       loop.redundant == 0 ? tr("exact") : tr("%1 redundant").arg(loop.redundant));
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        item->setToolTip(0, counts + "\n" + joints.join(", ") + "\n" + bodies.join(", "));
+        item->setToolTip(0, counts + "\n" + names.join(", ") + "\n" + bodies.join(", "));
         item->setToolTip(1, counts);
         auto* line = new QTreeWidgetItem({counts});
         line->setToolTip(0, counts);

@@ -83,7 +83,7 @@ QString reactionsVerdict(const std::vector<simcore::mobility::ReactionDeterminac
         components += reaction.components;
         known += static_cast<int>(reaction.determined.size());
         if (reaction.determinacy == Determinacy::None) {
-            none << QString::fromStdString(reaction.element);
+            none << elementText(reaction.element);
         }
     }
     if (known == components) {
@@ -104,6 +104,12 @@ QString reactionsVerdict(const std::vector<simcore::mobility::ReactionDeterminac
                                  .arg(none.size() - kNamed));
     }
     return text;
+}
+
+QString elementText(const std::string& element) {
+    const std::string wheel = simcore::mobility::wheelOfContact(element);
+    return wheel.empty() ? QString::fromStdString(element)
+                         : MobilityPanel::tr("contact %1").arg(QString::fromStdString(wheel));
 }
 
 QString signedNumber(int n) {

@@ -14,6 +14,9 @@ QString partVerdict(const simcore::mobility::Part& part, const simcore::mobility
 /// The same of reactions: what of them cannot be known.
 QString reactionsVerdict(const std::vector<simcore::mobility::ReactionDeterminacy>& reactions);
 
+/// A joint or gear by its name, a wheel's contact as "contact front".
+QString elementText(const std::string& element);
+
 /// A number with a true minus sign, and a plus where the sign matters.
 QString signedNumber(int n);
 

@@ -5,7 +5,7 @@
 
 namespace widgets {
 
-/// A channel's name on the screen in the user's language; English where there is no other.
+/// What simcore calls a channel or says of it, in the user's language: files have it in English.
 QString channelTitle(const std::string& label);
 
 }  // namespace widgets

@@ -125,7 +125,7 @@ void ExportDialog::makeList(const std::vector<std::string>& plotted) {
                 group = new QTreeWidgetItem(
                     list_, {title, unit, QString::fromStdString(channel.quantity)});
                 group->setFlags(group->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsAutoTristate);
-                group->setToolTip(0, QString::fromStdString(channel.meaning));
+                group->setToolTip(0, channelTitle(channel.meaning));
             }
             parent = group;
         }
@@ -137,7 +137,7 @@ void ExportDialog::makeList(const std::vector<std::string>& plotted) {
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
         const bool on = std::find(plotted.begin(), plotted.end(), channel.id()) != plotted.end();
         item->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
-        item->setToolTip(0, QString::fromStdString(channel.meaning));
+        item->setToolTip(0, channelTitle(channel.meaning));
     }
     // What is ticked is in sight, once the list has its height.
     QTimer::singleShot(0, list_, [list = list_] {

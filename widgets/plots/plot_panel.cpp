@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 
+#include "simcore/base/text.h"
 #include "simcore/io/csv.h"
 #include "widgets/plots/export_dialog.h"
 #include "widgets/plots/wheel_marks.h"
@@ -774,20 +775,20 @@ std::pair<double, double> PlotPanel::window() const {
 }
 
 Problems PlotPanel::savePicture(const QString& file) {
-    const auto cannot = [&](const char* reason, const char* remedy) {
-        return Problems{{Severity::Critical, file.toStdString(), reason, remedy}};
+    const auto cannot = [&](std::string reason, std::string remedy) {
+        return Problems{
+            {Severity::Critical, file.toStdString(), std::move(reason), std::move(remedy)}};
     };
     const QSize size(520 * plotCount(), 340);
     const QString ending = QFileInfo(file).suffix().toLower();
     if (ending != "png" && ending != "svg" && ending != "pdf") {
-        return cannot("the picture's format is not known.",
-                      "Use a name ending in .png, .svg or "
-                      ".pdf.");
+        return cannot(simcore::Text::of("the picture's format is not known."),
+                      simcore::Text::of("Use a name ending in .png, .svg or .pdf."));
     }
     QSaveFile device(file);
     if (!device.open(QIODevice::WriteOnly)) {
-        return cannot("the picture cannot be written.",
-                      "Check that the folder exists and can be written.");
+        return cannot(simcore::Text::of("the picture cannot be written."),
+                      simcore::Text::of("Check that the folder exists and can be written."));
     }
     if (ending == "png") {
         QImage image(size * 2, QImage::Format_RGB32);
@@ -812,8 +813,8 @@ Problems PlotPanel::savePicture(const QString& file) {
         impl_->paintPicture(painter, size);
     }
     if (!device.commit()) {
-        return cannot("the picture could not be written whole.",
-                      "Check the free space of the disk.");
+        return cannot(simcore::Text::of("the picture could not be written whole."),
+                      simcore::Text::of("Check the free space of the disk."));
     }
     return {};
 }

@@ -3,6 +3,8 @@
 #include <exception>
 #include <utility>
 
+#include "simcore/base/text.h"
+
 namespace widgets {
 
 using simcore::mobility::Advice;
@@ -23,8 +25,9 @@ simcore::Result<Advice> searchIn(const Project& project, double seconds,
         options.seconds = seconds;
         return advise(project, options, stop);
     } catch (const std::exception& error) {
-        return simcore::Problems{{simcore::Severity::Critical, "the Advisor", error.what(),
-                                  "Check the rover's joints and wheels."}};
+        return simcore::Problems{{simcore::Severity::Critical, simcore::Text::of("the Advisor"),
+                                  error.what(),
+                                  simcore::Text::of("Check the rover's joints and wheels.")}};
     }
 }
 

@@ -5,6 +5,7 @@
 #include <exception>
 #include <limits>
 
+#include "simcore/base/text.h"
 #include "simcore/io/project_file.h"
 #include "simcore/io/replay.h"
 
@@ -23,7 +24,8 @@ constexpr std::size_t kMostChannels = 4;
 /// Everything about the run but its numbers.
 Problems readRun(RecordingReader& reader, RecordedRun& run) {
     const auto& header = reader.header();
-    const auto project = simcore::io::parseProject(header.projectText, "the recorded project");
+    const auto project =
+        simcore::io::parseProject(header.projectText, simcore::Text::of("the recorded project"));
     if (!project) {
         return project.problems();
     }
@@ -42,7 +44,8 @@ Problems readRun(RecordingReader& reader, RecordedRun& run) {
             return problem.severity == Severity::Critical;
         });
         problems.push_back({Severity::Warning, run.file.string(),
-                            "the ground cannot be shown: " + why->reason, why->remedy});
+                            simcore::Text::of("the ground cannot be shown: {}", why->reason),
+                            why->remedy});
         prepared = simcore::run::evaluateRun(*project, header.request);
         if (!prepared) {
             return prepared.problems();
@@ -57,8 +60,9 @@ Problems readRun(RecordingReader& reader, RecordedRun& run) {
         header.size.joints != mechanism.encoderJoints().size() ||
         header.channels.size() > kMostChannels * simcore::run::makeChannels(mechanism).size()) {
         return {{Severity::Critical, run.file.string(),
-                 "its numbers are of another rover than its project.",
-                 "Open it with the RoverStudio version that wrote it, or take another copy."}};
+                 simcore::Text::of("its numbers are of another rover than its project."),
+                 simcore::Text::of(
+                     "Open it with the RoverStudio version that wrote it, or take another copy.")}};
     }
     run.origin = {project->rover.name, header.projectFile, header.variant, header.parameters,
                   header.request.assignments};
@@ -141,8 +145,9 @@ class NumbersReader {
     }
 
     Problems disorder() const {
-        return {{Severity::Critical, run_.file.string(), "its times are out of order.",
-                 "Take another copy of the file if there is one."}};
+        return {{Severity::Critical, run_.file.string(),
+                 simcore::Text::of("its times are out of order."),
+                 simcore::Text::of("Take another copy of the file if there is one.")}};
     }
 
     static constexpr std::size_t kFramesAtOnce = 1000;
@@ -185,8 +190,9 @@ Loaded load(const std::filesystem::path& file, const std::function<bool(double)>
         return std::shared_ptr<RecordedRun>();
     }
     if (!run->last) {
-        ended.push_back({Severity::Critical, file.string(), "there is nothing of its run in it.",
-                         "Take another copy of the file if there is one."});
+        ended.push_back({Severity::Critical, file.string(),
+                         simcore::Text::of("there is nothing of its run in it."),
+                         simcore::Text::of("Take another copy of the file if there is one.")});
         appendNew(problems, ended);
         return problems;
     }
@@ -208,8 +214,8 @@ simcore::Result<std::shared_ptr<RecordedRun>> loadRecording(const std::filesyste
         return load(file, goOn, std::move(store));
     } catch (const std::exception& error) {
         return Problem{Severity::Critical, file.string(),
-                       std::string("it cannot be read (") + error.what() + ").",
-                       "Close other programs if there is no memory left."};
+                       simcore::Text::of("it cannot be read ({}).", error.what()),
+                       simcore::Text::of("Close other programs if there is no memory left.")};
     }
 }
 

@@ -66,15 +66,37 @@ QString recordingText(const RecordedRun& run) {
                : RunBar::tr("Recording: %1").arg(outcome(run.report));
 }
 
-/// A label whose text may be longer than its place: its beginning is shown.
+/// A label whose text may be longer than its place: it goes on in a second line, and what is too
+/// long for two is shown up to there.
 class ElidedLabel : public QLabel {
+  public:
+    QSize minimumSizeHint() const override { return {0, 2 * fontMetrics().lineSpacing()}; }
+
   protected:
     void paintEvent(QPaintEvent* /*event*/) override {
+        const QRect place = contentsRect();
         QPainter painter(this);
-        style()->drawItemText(
-            &painter, contentsRect(), static_cast<int>(alignment()), palette(), isEnabled(),
-            fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()),
-            foregroundRole());
+        style()->drawItemText(&painter, place, static_cast<int>(alignment()), palette(),
+                              isEnabled(), shown(place.width()), foregroundRole());
+    }
+
+  private:
+    QString shown(int width) const {
+        const QFontMetrics metrics = fontMetrics();
+        if (metrics.horizontalAdvance(text()) <= width) {
+            return text();
+        }
+        QString first;
+        for (const QString& word : text().split(' ')) {
+            const QString longer = first.isEmpty() ? word : first + ' ' + word;
+            if (metrics.horizontalAdvance(longer) > width) {
+                break;
+            }
+            first = longer;
+        }
+        const QString rest = text().mid(first.size()).trimmed();
+        return (first.isEmpty() ? QString() : first + '\n') +
+               metrics.elidedText(rest, Qt::ElideRight, width);
     }
 };
 
@@ -374,9 +396,9 @@ void RunBar::changeSpeed(int direction) {
     session_->setSpeedFactor(speed_->currentData().toDouble());
 }
 
-void RunBar::showStatus(const QString& text) {
+void RunBar::showStatus(const QString& text, const std::string& detail) {
     status_->setText(text);
-    status_->setToolTip(text);
+    status_->setToolTip(detail.empty() ? text : text + "\n" + QString::fromStdString(detail));
 }
 
 void RunBar::showCommand(const simcore::run::ManualCommand& command) {
@@ -428,10 +450,13 @@ void RunBar::updateStatus() {
         case RunSession::State::Paused:
             showStatus(tr("Paused"));
             break;
-        case RunSession::State::Finished:
-            showStatus(session_->recorded() != nullptr ? recordingText(*session_->recorded())
-                                                       : outcome(session_->report()));
+        case RunSession::State::Finished: {
+            const RecordedRun* const recorded = session_->recorded();
+            const RunReport report = recorded != nullptr ? recorded->report : session_->report();
+            showStatus(recorded != nullptr ? recordingText(*recorded) : outcome(report),
+                       report.stopReason == StopReason::Stuck ? report.stopDetail : std::string());
             break;
+        }
     }
 }
 

@@ -45,7 +45,8 @@ class RunBar : public QWidget {
     /// Next faster (+1) or slower (-1) entry of the speed list.
     void changeSpeed(int direction);
     /// A line about the run, until the next state: why it cannot start, that keys drive, ...
-    void showStatus(const QString& text);
+    /// @param detail  told beside the text when the mouse rests on it
+    void showStatus(const QString& text, const std::string& detail = {});
     /// What a person driving asks for now; nothing asked shows how to drive.
     void showCommand(const simcore::run::ManualCommand& command);
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "simcore/base/text.h"
 #include "simcore/project/resolve.h"
 
 namespace widgets {
@@ -59,9 +60,10 @@ Problems RunSession::prepare(const simcore::project::Project& project,
     auto worker = std::make_unique<RunWorker>(std::move(run).value(), std::move(recorder));
     const simcore::run::RunReport report = worker->report();
     if (worker->state() == WorkerState::Finished && !report.stopDetail.empty()) {
-        problems.push_back({Severity::Critical, "scenario " + request.scenario,
-                            "the simulation could not be made: " + report.stopDetail,
-                            "Check the rover's masses, joints and wheels."});
+        problems.push_back(
+            {Severity::Critical, simcore::Text::of("scenario {}", request.scenario),
+             simcore::Text::of("the simulation could not be made: {}", report.stopDetail),
+             simcore::Text::of("Check the rover's masses, joints and wheels.")});
         return problems;
     }
     adopt(std::move(worker), recording, simcore::io::originOf(project, request, projectFile));
@@ -313,8 +315,9 @@ simcore::Result<simcore::io::RunCopy> RunSession::copyRun() const {
         return simcore::io::RunCopy::ofRecording(recorded_->file);
     }
     if (recorder_ == nullptr) {
-        return Problem{Severity::Critical, "recording", "there is no run to save.",
-                       "Run a scenario first."};
+        return Problem{Severity::Critical, simcore::Text::of("recording"),
+                       simcore::Text::of("there is no run to save."),
+                       simcore::Text::of("Run a scenario first.")};
     }
     std::optional<simcore::Result<simcore::io::RunCopy>> copy;
     worker_->betweenSteps(
@@ -325,8 +328,9 @@ simcore::Result<simcore::io::RunCopy> RunSession::copyRun() const {
 simcore::Result<bool> RunSession::exportCsv(const QString& file,
                                             const simcore::io::TableCut& cut) const {
     if (!hasRun()) {
-        return Problem{Severity::Critical, file.toStdString(), "there is no run to write.",
-                       "Run a scenario first."};
+        return Problem{Severity::Critical, file.toStdString(),
+                       simcore::Text::of("there is no run to write."),
+                       simcore::Text::of("Run a scenario first.")};
     }
     return simcore::io::saveCsv(recording(), settings(), report(), origin_,
                                 std::filesystem::path(file.toStdString()), cut);

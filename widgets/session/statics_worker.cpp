@@ -4,6 +4,8 @@
 #include <exception>
 #include <utility>
 
+#include "simcore/base/text.h"
+
 namespace widgets {
 
 using simcore::statics::Place;
@@ -109,9 +111,10 @@ void StaticsWorker::loop() {
         } catch (const std::exception& error) {
             auto failed = std::make_shared<StaticsFindings>();
             failed->number = task.number;
-            failed->problems.push_back({simcore::Severity::Critical,
-                                        "scenario " + task.request.scenario, error.what(),
-                                        "Check the rover's masses, joints and wheels."});
+            failed->problems.push_back(
+                {simcore::Severity::Critical,
+                 simcore::Text::of("scenario {}", task.request.scenario), error.what(),
+                 simcore::Text::of("Check the rover's masses, joints and wheels.")});
             publish_(std::move(failed));
         }
     }

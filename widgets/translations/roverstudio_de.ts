@@ -49,213 +49,6 @@
     </message>
 </context>
 <context>
-    <name>channels</name>
-    <message>
-        <source>Position x</source>
-        <translation>Position x</translation>
-    </message>
-    <message>
-        <source>Position y</source>
-        <translation>Position y</translation>
-    </message>
-    <message>
-        <source>Position z</source>
-        <translation>Position z</translation>
-    </message>
-    <message>
-        <source>Roll</source>
-        <translation>Wanken</translation>
-    </message>
-    <message>
-        <source>Pitch</source>
-        <translation>Nicken</translation>
-    </message>
-    <message>
-        <source>Yaw</source>
-        <translation>Gieren</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Strecke</translation>
-    </message>
-    <message>
-        <source>Angular rate x</source>
-        <translation>Drehrate x</translation>
-    </message>
-    <message>
-        <source>Angular rate y</source>
-        <translation>Drehrate y</translation>
-    </message>
-    <message>
-        <source>Angular rate z</source>
-        <translation>Drehrate z</translation>
-    </message>
-    <message>
-        <source>Centre of mass x</source>
-        <translation>Schwerpunkt x</translation>
-    </message>
-    <message>
-        <source>Centre of mass y</source>
-        <translation>Schwerpunkt y</translation>
-    </message>
-    <message>
-        <source>Centre of mass z</source>
-        <translation>Schwerpunkt z</translation>
-    </message>
-    <message>
-        <source>Speed (measured)</source>
-        <translation>Geschwindigkeit (gemessen)</translation>
-    </message>
-    <message>
-        <source>Roll (measured)</source>
-        <translation>Wanken (gemessen)</translation>
-    </message>
-    <message>
-        <source>Pitch (measured)</source>
-        <translation>Nicken (gemessen)</translation>
-    </message>
-    <message>
-        <source>Angular rate x (measured)</source>
-        <translation>Drehrate x (gemessen)</translation>
-    </message>
-    <message>
-        <source>Angular rate y (measured)</source>
-        <translation>Drehrate y (gemessen)</translation>
-    </message>
-    <message>
-        <source>Angular rate z (measured)</source>
-        <translation>Drehrate z (gemessen)</translation>
-    </message>
-    <message>
-        <source>Acceleration x (measured)</source>
-        <translation>Beschleunigung x (gemessen)</translation>
-    </message>
-    <message>
-        <source>Acceleration y (measured)</source>
-        <translation>Beschleunigung y (gemessen)</translation>
-    </message>
-    <message>
-        <source>Acceleration z (measured)</source>
-        <translation>Beschleunigung z (gemessen)</translation>
-    </message>
-    <message>
-        <source>Torque of the speed loop</source>
-        <translation>Drehmoment der Geschwindigkeitsschleife</translation>
-    </message>
-    <message>
-        <source>Required friction (planned)</source>
-        <translation>Nötige Reibung (geplant)</translation>
-    </message>
-    <message>
-        <source>Friction trusted</source>
-        <translation>Reibung, auf die gebaut wird</translation>
-    </message>
-    <message>
-        <source>Slip (absolute)</source>
-        <translation>Schlupf (absolut)</translation>
-    </message>
-    <message>
-        <source>Slip (loaded)</source>
-        <translation>Schlupf (unter Last)</translation>
-    </message>
-    <message>
-        <source>Slip (signed)</source>
-        <translation>Schlupf (mit Vorzeichen)</translation>
-    </message>
-    <message>
-        <source>Slip ratio</source>
-        <translation>Schlupfverhältnis</translation>
-    </message>
-    <message>
-        <source>Slip (lateral)</source>
-        <translation>Schlupf (seitlich)</translation>
-    </message>
-    <message>
-        <source>Friction work</source>
-        <translation>Reibarbeit</translation>
-    </message>
-    <message>
-        <source>Torque (commanded)</source>
-        <translation>Drehmoment (verlangt)</translation>
-    </message>
-    <message>
-        <source>Torque (applied)</source>
-        <translation>Drehmoment (gestellt)</translation>
-    </message>
-    <message>
-        <source>Power</source>
-        <translation>Leistung</translation>
-    </message>
-    <message>
-        <source>Normal force</source>
-        <translation>Normalkraft</translation>
-    </message>
-    <message>
-        <source>Traction force</source>
-        <translation>Traktionskraft</translation>
-    </message>
-    <message>
-        <source>Lateral force</source>
-        <translation>Seitenkraft</translation>
-    </message>
-    <message>
-        <source>Contact force x</source>
-        <translation>Kontaktkraft x</translation>
-    </message>
-    <message>
-        <source>Contact force y</source>
-        <translation>Kontaktkraft y</translation>
-    </message>
-    <message>
-        <source>Contact force z</source>
-        <translation>Kontaktkraft z</translation>
-    </message>
-    <message>
-        <source>Contact angle</source>
-        <translation>Kontaktwinkel</translation>
-    </message>
-    <message>
-        <source>Penetration</source>
-        <translation>Eindringung</translation>
-    </message>
-    <message>
-        <source>Wheel rate</source>
-        <translation>Raddrehzahl</translation>
-    </message>
-    <message>
-        <source>Wheel speed</source>
-        <translation>Radgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Wheel rate (measured)</source>
-        <translation>Raddrehzahl (gemessen)</translation>
-    </message>
-    <message>
-        <source>Normal force (measured)</source>
-        <translation>Normalkraft (gemessen)</translation>
-    </message>
-    <message>
-        <source>Contact angle (measured)</source>
-        <translation>Kontaktwinkel (gemessen)</translation>
-    </message>
-    <message>
-        <source>Torque (planned)</source>
-        <translation>Drehmoment (geplant)</translation>
-    </message>
-    <message>
-        <source>Normal force (planned)</source>
-        <translation>Normalkraft (geplant)</translation>
-    </message>
-    <message>
-        <source>Wheel rate (planned)</source>
-        <translation>Raddrehzahl (geplant)</translation>
-    </message>
-</context>
-<context>
     <name>fields</name>
     <message>
         <source>Display unit</source>
@@ -932,6 +725,3173 @@
     </message>
 </context>
 <context>
+    <name>simcore</name>
+    <message>
+        <source>&apos;{}&apos; cannot be used in expressions.</source>
+        <translation>&apos;{}&apos; ist in Ausdrücken nicht verwendbar.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; does not steer it: without that joint the wheel would still hang on the chassis.</source>
+        <translation>&apos;{}&apos; lenkt es nicht: Ohne dieses Gelenk hinge das Rad immer noch am Chassis.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has no value: {}.</source>
+        <translation>&apos;{}&apos; hat keinen Wert: {}.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is a {}, but this is a {}</source>
+        <translation>&apos;{}&apos; gibt {} an, verlangt ist {}</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is a {}, but this is a {}.</source>
+        <translation>&apos;{}&apos; gibt {} an, verlangt ist {}.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is missing.</source>
+        <translation>&apos;{}&apos; fehlt.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no unit of length.</source>
+        <translation>&apos;{}&apos; ist keine Längeneinheit.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a kind of mesh that is read.</source>
+        <translation>&apos;{}&apos; ist keine Art von Netz, die gelesen wird.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a known key.</source>
+        <translation>&apos;{}&apos; ist kein bekannter Schlüssel.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number.</source>
+        <translation>&apos;{}&apos; ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a pin of its body.</source>
+        <translation>&apos;{}&apos; ist kein Drehgelenk seines Körpers.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not followed by a number.</source>
+        <translation>Auf &apos;{}&apos; folgt keine Zahl.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not known.</source>
+        <translation>&apos;{}&apos; ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not understood.</source>
+        <translation>&apos;{}&apos; ist unverständlich.</translation>
+    </message>
+    <message>
+        <source>(new)</source>
+        <translation>(neu)</translation>
+    </message>
+    <message>
+        <source>(none)</source>
+        <translation>(keine)</translation>
+    </message>
+    <message>
+        <source>(wR - v) / max(abs(wR), abs(v), 0.01 m/s): positive when the wheel spins.</source>
+        <translation>(wR - v) / max(abs(wR), abs(v), 0.01 m/s): positiv, wenn das Rad durchdreht.</translation>
+    </message>
+    <message>
+        <source>1 constraint is redundant</source>
+        <translation>1 Bedingung redundant</translation>
+    </message>
+    <message>
+        <source>1 freedom within it.</source>
+        <translation>1 Freiheit in sich.</translation>
+    </message>
+    <message>
+        <source>1 joint of the suspension turns</source>
+        <translation>1 Gelenk der Aufhängung dreht sich</translation>
+    </message>
+    <message>
+        <source>1 of its constraints repeats what its others already hold.</source>
+        <translation>1 seiner Bedingungen wiederholt, was die anderen schon halten.</translation>
+    </message>
+    <message>
+        <source>1 of the freedoms is idle: neither chassis nor wheels move.</source>
+        <translation>1 der Freiheiten ist leer: Weder Chassis noch Räder bewegen sich.</translation>
+    </message>
+    <message>
+        <source>A grey image of 16 bit is needed, at most {} pixels.</source>
+        <translation>Nötig ist ein Graustufenbild mit 16 Bit und höchstens {} Bildpunkten.</translation>
+    </message>
+    <message>
+        <source>A project has &quot;format&quot;: &quot;{}&quot;.</source>
+        <translation>Ein Projekt hat &quot;format&quot;: &quot;{}&quot;.</translation>
+    </message>
+    <message>
+        <source>Absolute rotation rate of the wheel, positive forward.</source>
+        <translation>Absolute Drehgeschwindigkeit des Rades, vorwärts positiv.</translation>
+    </message>
+    <message>
+        <source>Acceleration less gravity along the chassis&apos; x axis as last read.</source>
+        <translation>Beschleunigung ohne Erdbeschleunigung entlang der x-Achse des Chassis, wie zuletzt gelesen.</translation>
+    </message>
+    <message>
+        <source>Acceleration less gravity along the chassis&apos; y axis as last read.</source>
+        <translation>Beschleunigung ohne Erdbeschleunigung entlang der y-Achse des Chassis, wie zuletzt gelesen.</translation>
+    </message>
+    <message>
+        <source>Acceleration less gravity along the chassis&apos; z axis as last read.</source>
+        <translation>Beschleunigung ohne Erdbeschleunigung entlang der z-Achse des Chassis, wie zuletzt gelesen.</translation>
+    </message>
+    <message>
+        <source>Acceleration x (measured)</source>
+        <translation>Beschleunigung x (gemessen)</translation>
+    </message>
+    <message>
+        <source>Acceleration y (measured)</source>
+        <translation>Beschleunigung y (gemessen)</translation>
+    </message>
+    <message>
+        <source>Acceleration z (measured)</source>
+        <translation>Beschleunigung z (gemessen)</translation>
+    </message>
+    <message>
+        <source>Add a body first.</source>
+        <translation>Zuerst einen Körper hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Add a joint with one free turn first.</source>
+        <translation>Zuerst ein Gelenk mit einer freien Drehung hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Add at least a chassis.</source>
+        <translation>Mindestens ein Chassis hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Add it.</source>
+        <translation>Ergänzen.</translation>
+    </message>
+    <message>
+        <source>Add joints with one free turn first.</source>
+        <translation>Zuerst Gelenke mit einer freien Drehung hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Add wheels to drive it.</source>
+        <translation>Zum Fahren Räder hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Add wheels.</source>
+        <translation>Räder hinzufügen.</translation>
+    </message>
+    <message>
+        <source>An ASCII grid begins with lines such as &apos;ncols 200&apos;.</source>
+        <translation>Ein ASCII-Gitter beginnt mit Zeilen wie &apos;ncols 200&apos;.</translation>
+    </message>
+    <message>
+        <source>An idle freedom cannot be held by a universal joint in place of a ball; it has to go first.</source>
+        <translation>Eine leere Freiheit kann ein Kreuzgelenk anstelle eines Kugelgelenks nicht halten; sie muss zuerst weg.</translation>
+    </message>
+    <message>
+        <source>Angle in the wheel plane from world up to the contact normal, positive when the obstacle is ahead; held while the wheel is in the air.</source>
+        <translation>Winkel in der Radebene von der Senkrechten zur Kontaktnormalen, positiv bei einem Hindernis voraus; bleibt stehen, solange das Rad in der Luft ist.</translation>
+    </message>
+    <message>
+        <source>Angular rate about the chassis&apos; x axis as last read.</source>
+        <translation>Drehrate um die x-Achse des Chassis, wie zuletzt gelesen.</translation>
+    </message>
+    <message>
+        <source>Angular rate about the chassis&apos; y axis as last read.</source>
+        <translation>Drehrate um die y-Achse des Chassis, wie zuletzt gelesen.</translation>
+    </message>
+    <message>
+        <source>Angular rate about the chassis&apos; z axis as last read.</source>
+        <translation>Drehrate um die z-Achse des Chassis, wie zuletzt gelesen.</translation>
+    </message>
+    <message>
+        <source>Angular rate x</source>
+        <translation>Drehrate x</translation>
+    </message>
+    <message>
+        <source>Angular rate x (measured)</source>
+        <translation>Drehrate x (gemessen)</translation>
+    </message>
+    <message>
+        <source>Angular rate y</source>
+        <translation>Drehrate y</translation>
+    </message>
+    <message>
+        <source>Angular rate y (measured)</source>
+        <translation>Drehrate y (gemessen)</translation>
+    </message>
+    <message>
+        <source>Angular rate z</source>
+        <translation>Drehrate z</translation>
+    </message>
+    <message>
+        <source>Angular rate z (measured)</source>
+        <translation>Drehrate z (gemessen)</translation>
+    </message>
+    <message>
+        <source>Angular velocity of the chassis about its own x axis.</source>
+        <translation>Winkelgeschwindigkeit des Chassis um die eigene x-Achse.</translation>
+    </message>
+    <message>
+        <source>Angular velocity of the chassis about its own y axis.</source>
+        <translation>Winkelgeschwindigkeit des Chassis um die eigene y-Achse.</translation>
+    </message>
+    <message>
+        <source>Angular velocity of the chassis about its own z axis.</source>
+        <translation>Winkelgeschwindigkeit des Chassis um die eigene z-Achse.</translation>
+    </message>
+    <message>
+        <source>Another run may be writing it; else rename or remove it.</source>
+        <translation>Vielleicht schreibt sie eine andere Fahrt; sonst umbenennen oder entfernen.</translation>
+    </message>
+    <message>
+        <source>Applied torque times the wheel&apos;s rate against its carrier, negative when the motor brakes.</source>
+        <translation>Gestelltes Drehmoment mal Drehzahl des Rades gegen seinen Träger, negativ beim Bremsen des Motors.</translation>
+    </message>
+    <message>
+        <source>As built, a free motion of the drawn pose does not go on: it only yields. What follows keeps that motion, too.</source>
+        <translation>Wie gebaut geht eine freie Bewegung der gezeichneten Stellung nicht weiter: Sie gibt nur nach. Was folgt, behält auch diese Bewegung.</translation>
+    </message>
+    <message>
+        <source>As built, {} and 1 freedom is idle.</source>
+        <translation>Wie gebaut: {} und 1 Freiheit leer.</translation>
+    </message>
+    <message>
+        <source>As built, {} and {} freedoms are idle.</source>
+        <translation>Wie gebaut: {} und {} Freiheiten leer.</translation>
+    </message>
+    <message>
+        <source>As built, {}.</source>
+        <translation>Wie gebaut: {}.</translation>
+    </message>
+    <message>
+        <source>Ask for advice again.</source>
+        <translation>Erneut um Rat fragen.</translation>
+    </message>
+    <message>
+        <source>Ask the Advisor in Mobility what to free.</source>
+        <translation>Im Laufgrad den Ratgeber fragen, was zu lösen ist.</translation>
+    </message>
+    <message>
+        <source>Body speed as the controller last read it.</source>
+        <translation>Fahrgeschwindigkeit, wie der Regler sie zuletzt gelesen hat.</translation>
+    </message>
+    <message>
+        <source>Break the circle: give one a number.</source>
+        <translation>Den Kreis auflösen: einem davon eine Zahl geben.</translation>
+    </message>
+    <message>
+        <source>Cannot move</source>
+        <translation>Unbeweglich</translation>
+    </message>
+    <message>
+        <source>Cannot move: the constraints hold every body.</source>
+        <translation>Unbeweglich: Die Zwangsbedingungen halten jeden Körper.</translation>
+    </message>
+    <message>
+        <source>Centre of mass near the edge of its feet</source>
+        <translation>Schwerpunkt nahe am Rand der Aufstandsfläche</translation>
+    </message>
+    <message>
+        <source>Centre of mass x</source>
+        <translation>Schwerpunkt x</translation>
+    </message>
+    <message>
+        <source>Centre of mass y</source>
+        <translation>Schwerpunkt y</translation>
+    </message>
+    <message>
+        <source>Centre of mass z</source>
+        <translation>Schwerpunkt z</translation>
+    </message>
+    <message>
+        <source>Change the value, or the range if it is too narrow.</source>
+        <translation>Den Wert ändern, oder den Bereich, wenn er zu eng ist.</translation>
+    </message>
+    <message>
+        <source>Check it in a mesh editor, simplify it, or write it in another format.</source>
+        <translation>In einem Netzeditor prüfen, vereinfachen oder in einem anderen Format schreiben.</translation>
+    </message>
+    <message>
+        <source>Check its inertia, or leave it away to have that of its shapes.</source>
+        <translation>Die Trägheit prüfen, oder weglassen: Dann gilt die der Formen.</translation>
+    </message>
+    <message>
+        <source>Check its inertia: kg m^2, about its own centre of mass.</source>
+        <translation>Die Trägheit prüfen: kg m^2, um den eigenen Schwerpunkt.</translation>
+    </message>
+    <message>
+        <source>Check its permissions.</source>
+        <translation>Ihre Rechte prüfen.</translation>
+    </message>
+    <message>
+        <source>Check that the file is still there.</source>
+        <translation>Prüfen, ob die Datei noch da ist.</translation>
+    </message>
+    <message>
+        <source>Check that the folder exists and can be written, and that the name ends in .png.</source>
+        <translation>Prüfen, ob der Ordner vorhanden und beschreibbar ist und der Name auf .png endet.</translation>
+    </message>
+    <message>
+        <source>Check that the folder exists and can be written.</source>
+        <translation>Prüfen, ob der Ordner vorhanden und beschreibbar ist.</translation>
+    </message>
+    <message>
+        <source>Check the file and its units, scale and origin.</source>
+        <translation>Die Datei, ihre Einheit, Maßstab und Ursprung prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the file and its value for &apos;no data&apos;.</source>
+        <translation>Die Datei und ihren Wert für &apos;keine Daten&apos; prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the file, its units and scale.</source>
+        <translation>Die Datei, ihre Einheit und Maßstab prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the file, its units, scale and origin: {} m apart at least, {} m away at most.</source>
+        <translation>Die Datei, ihre Einheit, Maßstab und Ursprung prüfen: mindestens {} m Abstand, höchstens {} m entfernt.</translation>
+    </message>
+    <message>
+        <source>Check the file; obj, stl and ply are the safest formats.</source>
+        <translation>Die Datei prüfen; am sichersten sind die Formate obj, stl und ply.</translation>
+    </message>
+    <message>
+        <source>Check the folder, its permissions and the free space.</source>
+        <translation>Ordner, Rechte und freien Platz prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the folder, its permissions and the free space; the old file is untouched.</source>
+        <translation>Ordner, Rechte und freien Platz prüfen; die alte Datei ist unberührt.</translation>
+    </message>
+    <message>
+        <source>Check the free space of the disk.</source>
+        <translation>Den freien Platz auf dem Datenträger prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the path.</source>
+        <translation>Den Pfad prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the rover&apos;s joints and wheels.</source>
+        <translation>Gelenke und Räder des Rovers prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the rover&apos;s masses, joints and wheels.</source>
+        <translation>Massen, Gelenke und Räder des Rovers prüfen.</translation>
+    </message>
+    <message>
+        <source>Check the spelling against the rover&apos;s parameters.</source>
+        <translation>Die Schreibweise mit den Parametern des Rovers vergleichen.</translation>
+    </message>
+    <message>
+        <source>Check the up axis, or turn the normals in the file.</source>
+        <translation>Die Hochachse prüfen, oder die Normalen in der Datei umdrehen.</translation>
+    </message>
+    <message>
+        <source>Choose --cell for 2 x 2 to {} points.</source>
+        <translation>--cell so wählen, dass es 2 x 2 bis {} Punkte sind.</translation>
+    </message>
+    <message>
+        <source>Choose a .roverrec file.</source>
+        <translation>Eine .roverrec-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>Choose a body.</source>
+        <translation>Einen Körper wählen.</translation>
+    </message>
+    <message>
+        <source>Choose another folder, or free space.</source>
+        <translation>Einen anderen Ordner wählen oder Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>Einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>Choose another parameter, or replace the expression.</source>
+        <translation>Einen anderen Parameter wählen oder den Ausdruck ersetzen.</translation>
+    </message>
+    <message>
+        <source>Choose another place.</source>
+        <translation>Einen anderen Platz wählen.</translation>
+    </message>
+    <message>
+        <source>Choose larger cells or a shorter way: at most {} points.</source>
+        <translation>Größere Zellen oder einen kürzeren Weg wählen: höchstens {} Punkte.</translation>
+    </message>
+    <message>
+        <source>Choose one that is mirrored.</source>
+        <translation>Ein gespiegeltes Teil wählen.</translation>
+    </message>
+    <message>
+        <source>Choose the parameter to change, or replace the expression.</source>
+        <translation>Den zu ändernden Parameter wählen oder den Ausdruck ersetzen.</translation>
+    </message>
+    <message>
+        <source>Choose times between the start and the end of the run.</source>
+        <translation>Zeiten zwischen Anfang und Ende der Fahrt wählen.</translation>
+    </message>
+    <message>
+        <source>Clean the mesh if it looks wrong.</source>
+        <translation>Das Netz bereinigen, wenn es falsch aussieht.</translation>
+    </message>
+    <message>
+        <source>Close other programs if there is no memory left.</source>
+        <translation>Andere Programme schließen, wenn der Speicher nicht reicht.</translation>
+    </message>
+    <message>
+        <source>Close other programs.</source>
+        <translation>Andere Programme schließen.</translation>
+    </message>
+    <message>
+        <source>Connect pins of the same carrier.</source>
+        <translation>Drehgelenke desselben Trägers verbinden.</translation>
+    </message>
+    <message>
+        <source>Contact angle</source>
+        <translation>Kontaktwinkel</translation>
+    </message>
+    <message>
+        <source>Contact angle (measured)</source>
+        <translation>Kontaktwinkel (gemessen)</translation>
+    </message>
+    <message>
+        <source>Contact angle of the tactile wheel as last read.</source>
+        <translation>Kontaktwinkel des Tastrades, wie zuletzt gelesen.</translation>
+    </message>
+    <message>
+        <source>Contact force x</source>
+        <translation>Kontaktkraft x</translation>
+    </message>
+    <message>
+        <source>Contact force y</source>
+        <translation>Kontaktkraft y</translation>
+    </message>
+    <message>
+        <source>Contact force z</source>
+        <translation>Kontaktkraft z</translation>
+    </message>
+    <message>
+        <source>Copy parts in RoverStudio first.</source>
+        <translation>Zuerst in RoverStudio Teile kopieren.</translation>
+    </message>
+    <message>
+        <source>Copy some parts first.</source>
+        <translation>Zuerst Teile kopieren.</translation>
+    </message>
+    <message>
+        <source>Copy them with this version of RoverStudio.</source>
+        <translation>Mit dieser Version von RoverStudio kopieren.</translation>
+    </message>
+    <message>
+        <source>Correct it; values are in SI unless a unit is written.</source>
+        <translation>Berichtigen; ohne Einheit gelten Werte in SI.</translation>
+    </message>
+    <message>
+        <source>Correct ncols or nrows.</source>
+        <translation>ncols oder nrows berichtigen.</translation>
+    </message>
+    <message>
+        <source>Correct the file.</source>
+        <translation>Die Datei berichtigen.</translation>
+    </message>
+    <message>
+        <source>Correct the file; a project needs about ten.</source>
+        <translation>Die Datei berichtigen; ein Projekt braucht etwa zehn.</translation>
+    </message>
+    <message>
+        <source>Correct the file; it may have been cut off.</source>
+        <translation>Die Datei berichtigen; vielleicht ist sie abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Correct the header.</source>
+        <translation>Den Kopf berichtigen.</translation>
+    </message>
+    <message>
+        <source>Correct the inertia, or remove it to use that of the shapes.</source>
+        <translation>Die Trägheit berichtigen, oder entfernen: Dann gilt die der Formen.</translation>
+    </message>
+    <message>
+        <source>Correct the text there; a comma or a quote is often missing just before.</source>
+        <translation>Den Text dort berichtigen; oft fehlt kurz davor ein Komma oder Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>Correct the value.</source>
+        <translation>Den Wert berichtigen.</translation>
+    </message>
+    <message>
+        <source>Correct them.</source>
+        <translation>Berichtigen.</translation>
+    </message>
+    <message>
+        <source>Cut or simplify it.</source>
+        <translation>Beschneiden oder vereinfachen.</translation>
+    </message>
+    <message>
+        <source>Cut or simplify them, or run without recording.</source>
+        <translation>Beschneiden, vereinfachen oder ohne Aufzeichnung fahren.</translation>
+    </message>
+    <message>
+        <source>Cut out the part that is driven on, or resample it.</source>
+        <translation>Den befahrenen Teil ausschneiden oder gröber abtasten.</translation>
+    </message>
+    <message>
+        <source>Delete or rename that first.</source>
+        <translation>Das zuerst löschen oder umbenennen.</translation>
+    </message>
+    <message>
+        <source>Delete those first, or make them use something else.</source>
+        <translation>Diese zuerst löschen oder etwas anderes verwenden lassen.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Draw a shape, or give its inertia.</source>
+        <translation>Eine Form zeichnen oder die Trägheit angeben.</translation>
+    </message>
+    <message>
+        <source>EGL offers no configuration for OpenGL.</source>
+        <translation>EGL bietet keine Konfiguration für OpenGL.</translation>
+    </message>
+    <message>
+        <source>EGL&apos;s surfaceless platform is not available.</source>
+        <translation>Die oberflächenlose Plattform von EGL ist nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>Energy that friction took where the wheel slid since counting began.</source>
+        <translation>Energie, die die Reibung am gleitenden Rad seit Beginn der Zählung aufnahm.</translation>
+    </message>
+    <message>
+        <source>Every reaction follows from the loads.</source>
+        <translation>Jede Reaktion folgt aus den Lasten.</translation>
+    </message>
+    <message>
+        <source>Exact as built: nothing is redundant and nothing idle. No joint needs to change.</source>
+        <translation>Wie gebaut exakt: Nichts ist redundant und nichts leer. Kein Gelenk muss sich ändern.</translation>
+    </message>
+    <message>
+        <source>Force of the ground on the wheel along the axle, positive to the left.</source>
+        <translation>Kraft des Bodens auf das Rad entlang der Achse, nach links positiv.</translation>
+    </message>
+    <message>
+        <source>Force of the ground on the wheel along the contact normal.</source>
+        <translation>Kraft des Bodens auf das Rad entlang der Kontaktnormalen.</translation>
+    </message>
+    <message>
+        <source>Force of the ground on the wheel along the rolling direction, positive forward.</source>
+        <translation>Kraft des Bodens auf das Rad entlang der Rollrichtung, vorwärts positiv.</translation>
+    </message>
+    <message>
+        <source>Found one set of joints that makes it exact and leaves its motion as it is.</source>
+        <translation>Gefunden ist ein Satz von Gelenken, mit dem er exakt wird und sich bewegt wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Found {} sets of joints that make it exact and leave its motion as it is.</source>
+        <translation>Gefunden sind {} Sätze von Gelenken, mit denen er exakt wird und sich bewegt wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Free memory or processes, or use fewer jobs.</source>
+        <translation>Speicher oder Prozesse freigeben oder weniger zugleich rechnen.</translation>
+    </message>
+    <message>
+        <source>Free some space in {} and run again.</source>
+        <translation>In {} Platz schaffen und erneut fahren.</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk and run again.</source>
+        <translation>Auf dem Datenträger Platz schaffen und erneut fahren.</translation>
+    </message>
+    <message>
+        <source>Free some space or choose another folder. What was recorded is in {}.</source>
+        <translation>Platz schaffen oder einen anderen Ordner wählen. Das Aufgezeichnete liegt in {}.</translation>
+    </message>
+    <message>
+        <source>Friction that the controller trusts the ground with: assumed, or learned from slip; missing where it sets no such limit.</source>
+        <translation>Reibung, die der Regler dem Boden zutraut: angenommen oder aus dem Schlupf gelernt; fehlt, wo er keine solche Grenze setzt.</translation>
+    </message>
+    <message>
+        <source>Friction trusted</source>
+        <translation>Reibung, auf die gebaut wird</translation>
+    </message>
+    <message>
+        <source>Friction work</source>
+        <translation>Reibarbeit</translation>
+    </message>
+    <message>
+        <source>Give 0 &lt;= low &lt; high and a tolerance above zero.</source>
+        <translation>0 &lt;= unten &lt; oben und eine Toleranz über null angeben.</translation>
+    </message>
+    <message>
+        <source>Give 0 to 200.</source>
+        <translation>0 bis 200 angeben.</translation>
+    </message>
+    <message>
+        <source>Give 1 to {}.</source>
+        <translation>1 bis {} angeben.</translation>
+    </message>
+    <message>
+        <source>Give A..B with 0 &lt;= A &lt;= B, at most {} of them.</source>
+        <translation>A..B mit 0 &lt;= A &lt;= B angeben, höchstens {} davon.</translation>
+    </message>
+    <message>
+        <source>Give a direction, e.g. [0, 1, 0].</source>
+        <translation>Eine Richtung angeben, z. B. [0, 1, 0].</translation>
+    </message>
+    <message>
+        <source>Give a joint of the loop another freedom, or free a body.</source>
+        <translation>Einem Gelenk der Schleife eine weitere Freiheit geben oder einen Körper lösen.</translation>
+    </message>
+    <message>
+        <source>Give a number.</source>
+        <translation>Eine Zahl angeben.</translation>
+    </message>
+    <message>
+        <source>Give a value above zero.</source>
+        <translation>Einen Wert über null angeben.</translation>
+    </message>
+    <message>
+        <source>Give an angle from -90 to 90 degrees; 90 is a wall ahead.</source>
+        <translation>Einen Winkel von -90 bis 90 Grad angeben; 90 ist eine Wand voraus.</translation>
+    </message>
+    <message>
+        <source>Give another folder, or delete it to begin anew.</source>
+        <translation>Einen anderen Ordner angeben, oder sie löschen, um neu anzufangen.</translation>
+    </message>
+    <message>
+        <source>Give coefficients such as 0.3,0.5,0.7.</source>
+        <translation>Reibungszahlen wie 0.3,0.5,0.7 angeben.</translation>
+    </message>
+    <message>
+        <source>Give each wheel its own body.</source>
+        <translation>Jedem Rad einen eigenen Körper geben.</translation>
+    </message>
+    <message>
+        <source>Give every body its own name.</source>
+        <translation>Jedem Körper einen eigenen Namen geben.</translation>
+    </message>
+    <message>
+        <source>Give every joint its own name.</source>
+        <translation>Jedem Gelenk einen eigenen Namen geben.</translation>
+    </message>
+    <message>
+        <source>Give every {} its own name.</source>
+        <translation>Jeden Namen nur einmal vergeben ({}).</translation>
+    </message>
+    <message>
+        <source>Give exactly that many, in square brackets.</source>
+        <translation>Genau so viele angeben, in eckigen Klammern.</translation>
+    </message>
+    <message>
+        <source>Give it an axis along z, or within 45 deg of it.</source>
+        <translation>Eine Achse entlang z geben, oder höchstens 45 Grad davon.</translation>
+    </message>
+    <message>
+        <source>Give it the mass of the real part, or weld it to its neighbour.</source>
+        <translation>Die Masse des wirklichen Teils angeben oder mit dem Nachbarn verschweißen.</translation>
+    </message>
+    <message>
+        <source>Give it wheels with motors.</source>
+        <translation>Räder mit Motoren hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Give it wheels.</source>
+        <translation>Räder hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Give joints the freedoms it lacks.</source>
+        <translation>Gelenken die fehlenden Freiheiten geben.</translation>
+    </message>
+    <message>
+        <source>Give the lower one first, below zero, and the upper one above.</source>
+        <translation>Zuerst den unteren angeben, unter null, dann den oberen, darüber.</translation>
+    </message>
+    <message>
+        <source>Give the path of a file, relative to the project&apos;s folder or absolute.</source>
+        <translation>Den Pfad einer Datei angeben, relativ zum Ordner des Projekts oder absolut.</translation>
+    </message>
+    <message>
+        <source>Give the ratio of the turns.</source>
+        <translation>Das Verhältnis der Drehungen angeben.</translation>
+    </message>
+    <message>
+        <source>Give two or more to compare; not manual.</source>
+        <translation>Zwei oder mehr zum Vergleichen angeben; nicht manual.</translation>
+    </message>
+    <message>
+        <source>Give zero or more.</source>
+        <translation>Null oder mehr angeben.</translation>
+    </message>
+    <message>
+        <source>Go on with what is there, or take another copy.</source>
+        <translation>Mit dem Vorhandenen weitermachen oder eine andere Kopie nehmen.</translation>
+    </message>
+    <message>
+        <source>Hold them by another type of joint, or leave them if nothing can jam.</source>
+        <translation>Mit einem anderen Gelenktyp halten, oder lassen, wenn nichts klemmen kann.</translation>
+    </message>
+    <message>
+        <source>How far the wheel&apos;s deepest contact lies in the ground; 0 without contact.</source>
+        <translation>Wie tief der tiefste Kontakt des Rades im Boden liegt; 0 ohne Kontakt.</translation>
+    </message>
+    <message>
+        <source>Hyperstatic: 1 constraint repeats what others already hold. Its reaction cannot be told from statics, and inaccurate parts strain each other.</source>
+        <translation>Überbestimmt: 1 Bedingung wiederholt, was andere schon halten. Ihre Reaktion folgt nicht aus der Statik, und ungenaue Teile verspannen einander.</translation>
+    </message>
+    <message>
+        <source>Hyperstatic: {} constraints repeat what others already hold. Their reactions cannot be told from statics, and inaccurate parts strain each other.</source>
+        <translation>Überbestimmt: {} Bedingungen wiederholen, was andere schon halten. Ihre Reaktionen folgen nicht aus der Statik, und ungenaue Teile verspannen einander.</translation>
+    </message>
+    <message>
+        <source>Idle freedoms</source>
+        <translation>Leere Freiheiten</translation>
+    </message>
+    <message>
+        <source>Inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>Install an OpenGL driver with EGL, e.g. Mesa&apos;s software renderer.</source>
+        <translation>Einen OpenGL-Treiber mit EGL installieren, z. B. den Software-Renderer von Mesa.</translation>
+    </message>
+    <message>
+        <source>Join it, or remove it.</source>
+        <translation>Verbinden oder entfernen.</translation>
+    </message>
+    <message>
+        <source>Joint angle</source>
+        <translation>Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>Joint angle (measured)</source>
+        <translation>Gelenkwinkel (gemessen)</translation>
+    </message>
+    <message>
+        <source>Joint rate</source>
+        <translation>Gelenkdrehzahl</translation>
+    </message>
+    <message>
+        <source>Known here: {}.</source>
+        <translation>Hier bekannt: {}.</translation>
+    </message>
+    <message>
+        <source>Known: {}.</source>
+        <translation>Bekannt: {}.</translation>
+    </message>
+    <message>
+        <source>Largest ratio of tangential to normal force with the planned torques, by the controller&apos;s quasi-static model; missing where it has none.</source>
+        <translation>Größtes Verhältnis von Tangential- zu Normalkraft mit den geplanten Drehmomenten, nach dem quasistatischen Modell des Reglers; fehlt, wo er keines hat.</translation>
+    </message>
+    <message>
+        <source>Lateral force</source>
+        <translation>Seitenkraft</translation>
+    </message>
+    <message>
+        <source>Leave it one free direction, &apos;turn axis&apos;.</source>
+        <translation>Eine freie Richtung lassen: &apos;turn axis&apos;.</translation>
+    </message>
+    <message>
+        <source>Leave one that is not mirrored in the first place.</source>
+        <translation>An erster Stelle einen lassen, der nicht gespiegelt ist.</translation>
+    </message>
+    <message>
+        <source>Let roversim reproduce start its workers.</source>
+        <translation>Die Arbeiter von roversim reproduce starten lassen.</translation>
+    </message>
+    <message>
+        <source>Let the wheel go; fix the chassis for a test stand.</source>
+        <translation>Das Rad lösen; für einen Prüfstand das Chassis festhalten.</translation>
+    </message>
+    <message>
+        <source>List the terrains of the inner sum; use a mesh alone.</source>
+        <translation>Das Gelände der inneren Summe aufzählen; ein Netz allein verwenden.</translation>
+    </message>
+    <message>
+        <source>Load that those torques make by the same model.</source>
+        <translation>Last, die diese Drehmomente nach demselben Modell bewirken.</translation>
+    </message>
+    <message>
+        <source>Lower the obstacle, change the suspension, or raise the friction.</source>
+        <translation>Das Hindernis verkleinern, die Aufhängung ändern oder die Reibung erhöhen.</translation>
+    </message>
+    <message>
+        <source>Lower the slope or raise the friction.</source>
+        <translation>Die Neigung verringern oder die Reibung erhöhen.</translation>
+    </message>
+    <message>
+        <source>Main dimensions: {}.</source>
+        <translation>Hauptmaße: {}.</translation>
+    </message>
+    <message>
+        <source>Make the chassis the first body.</source>
+        <translation>Das Chassis zum ersten Körper machen.</translation>
+    </message>
+    <message>
+        <source>Mass ratio</source>
+        <translation>Massenverhältnis</translation>
+    </message>
+    <message>
+        <source>Mirror bodies, joints, wheels, springs and payloads.</source>
+        <translation>Spiegeln lassen sich Körper, Gelenke, Räder, Federn und Nutzlasten.</translation>
+    </message>
+    <message>
+        <source>Mirror it, or relax both sides.</source>
+        <translation>Spiegeln oder beide Seiten lockern.</translation>
+    </message>
+    <message>
+        <source>Mirror the body.</source>
+        <translation>Den Körper spiegeln.</translation>
+    </message>
+    <message>
+        <source>Motor torque after the motor&apos;s torque and speed limits.</source>
+        <translation>Motormoment nach den Grenzen des Motors für Moment und Drehzahl.</translation>
+    </message>
+    <message>
+        <source>Motor torque the controller asked for, positive drives forward.</source>
+        <translation>Motormoment, das der Regler verlangt hat, vorwärts positiv.</translation>
+    </message>
+    <message>
+        <source>Move another body to the second place first.</source>
+        <translation>Zuerst einen anderen Körper an die zweite Stelle schieben.</translation>
+    </message>
+    <message>
+        <source>Move mass or wheels.</source>
+        <translation>Masse oder Räder versetzen.</translation>
+    </message>
+    <message>
+        <source>Move one end.</source>
+        <translation>Ein Ende versetzen.</translation>
+    </message>
+    <message>
+        <source>Move one of them, or make them smaller.</source>
+        <translation>Eines davon versetzen oder beide verkleinern.</translation>
+    </message>
+    <message>
+        <source>Move one of them.</source>
+        <translation>Eines davon versetzen.</translation>
+    </message>
+    <message>
+        <source>Move shapes alone into another body.</source>
+        <translation>Nur Formen in einen anderen Körper verschieben.</translation>
+    </message>
+    <message>
+        <source>Move the terrain&apos;s origin, so that the rover starts on it.</source>
+        <translation>Den Ursprung des Geländes so versetzen, dass der Rover darauf startet.</translation>
+    </message>
+    <message>
+        <source>Moves with one freedom, as a rover on its wheels should.</source>
+        <translation>Bewegt sich mit einer Freiheit, wie es sich für einen Rover auf Rädern gehört.</translation>
+    </message>
+    <message>
+        <source>Moves with {} freedoms.</source>
+        <translation>Bewegt sich mit {} Freiheiten.</translation>
+    </message>
+    <message>
+        <source>Name one of the project&apos;s variants, or none.</source>
+        <translation>Eine der Varianten des Projekts nennen, oder keine.</translation>
+    </message>
+    <message>
+        <source>Name the pin between the wheel&apos;s carrier and the rest of the rover.</source>
+        <translation>Das Drehgelenk zwischen dem Träger des Rades und dem übrigen Rover nennen.</translation>
+    </message>
+    <message>
+        <source>Name the pin joint between the wheel&apos;s body and its carrier.</source>
+        <translation>Das Drehgelenk zwischen dem Körper des Rades und seinem Träger nennen.</translation>
+    </message>
+    <message>
+        <source>Name two bodies.</source>
+        <translation>Zwei Körper nennen.</translation>
+    </message>
+    <message>
+        <source>Name two pin joints.</source>
+        <translation>Zwei Drehgelenke nennen.</translation>
+    </message>
+    <message>
+        <source>No OpenGL context could be made.</source>
+        <translation>Es war kein OpenGL-Kontext zu bekommen.</translation>
+    </message>
+    <message>
+        <source>No free motion can be continued: it yields in this pose, but some constraints are inconsistent after any finite step.</source>
+        <translation>Keine freie Bewegung geht weiter: Sie gibt in dieser Stellung nur nach, nach jedem endlichen Schritt widersprechen sich Bedingungen.</translation>
+    </message>
+    <message>
+        <source>No set of permitted joints makes it exact and leaves its motion as it is.</source>
+        <translation>Kein Satz erlaubter Gelenke macht ihn exakt und lässt seine Bewegung, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>No set that changes both sides alike is exact, so each of these changes something on one side only.</source>
+        <translation>Kein Satz, der beide Seiten gleich ändert, ist exakt; jeder von diesen ändert darum etwas nur an einer Seite.</translation>
+    </message>
+    <message>
+        <source>None that was left out costs less than the last one.</source>
+        <translation>Keiner, der fehlt, kostet weniger als der letzte.</translation>
+    </message>
+    <message>
+        <source>None was found until then.</source>
+        <translation>Bis dahin ist keiner gefunden.</translation>
+    </message>
+    <message>
+        <source>Normal force</source>
+        <translation>Normalkraft</translation>
+    </message>
+    <message>
+        <source>Normal force (measured)</source>
+        <translation>Normalkraft (gemessen)</translation>
+    </message>
+    <message>
+        <source>Normal force (planned)</source>
+        <translation>Normalkraft (geplant)</translation>
+    </message>
+    <message>
+        <source>Normal force of the tactile wheel as last read.</source>
+        <translation>Normalkraft des Tastrades, wie zuletzt gelesen.</translation>
+    </message>
+    <message>
+        <source>Nothing can be known of {}.</source>
+        <translation>Nichts ist bekannt von {}.</translation>
+    </message>
+    <message>
+        <source>Nothing in it is redundant.</source>
+        <translation>Nichts darin ist redundant.</translation>
+    </message>
+    <message>
+        <source>Of {} components of reactions the loads determine {}; the others depend on play, stiffness and errors of manufacture.</source>
+        <translation>Von {} Komponenten der Reaktionen bestimmen die Lasten {}; die anderen hängen von Spiel, Steifigkeit und Fertigungsfehlern ab.</translation>
+    </message>
+    <message>
+        <source>Only {} free motions can be continued: it yields in this pose, but some constraints are inconsistent after any finite step.</source>
+        <translation>Nur {} freie Bewegungen gehen weiter: Sonst gibt er in dieser Stellung nur nach, nach jedem endlichen Schritt widersprechen sich Bedingungen.</translation>
+    </message>
+    <message>
+        <source>Open it with the RoverStudio version that wrote it, or take another copy.</source>
+        <translation>Mit der Version von RoverStudio öffnen, die sie geschrieben hat, oder eine andere Kopie nehmen.</translation>
+    </message>
+    <message>
+        <source>Open it with the RoverStudio version that wrote it.</source>
+        <translation>Mit der Version von RoverStudio öffnen, die sie geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>Part of the reaction can be known of {}.</source>
+        <translation>Ein Teil der Reaktion ist bekannt von {}.</translation>
+    </message>
+    <message>
+        <source>Penetration</source>
+        <translation>Eindringung</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>Pitch (measured)</source>
+        <translation>Nicken (gemessen)</translation>
+    </message>
+    <message>
+        <source>Pitch of the inertial unit as last read.</source>
+        <translation>Nicken laut Inertialsensor, wie zuletzt gelesen.</translation>
+    </message>
+    <message>
+        <source>Position x</source>
+        <translation>Position x</translation>
+    </message>
+    <message>
+        <source>Position y</source>
+        <translation>Position y</translation>
+    </message>
+    <message>
+        <source>Position z</source>
+        <translation>Position z</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Put its axle at the height of its radius.</source>
+        <translation>Die Achse auf die Höhe des Radius setzen.</translation>
+    </message>
+    <message>
+        <source>Put its axle one radius above the ground.</source>
+        <translation>Die Achse einen Radius über den Boden setzen.</translation>
+    </message>
+    <message>
+        <source>Rate of that turn.</source>
+        <translation>Geschwindigkeit dieser Drehung.</translation>
+    </message>
+    <message>
+        <source>Rate of the wheel against its carrier as the controller last read it.</source>
+        <translation>Drehzahl des Rades gegen seinen Träger, wie der Regler sie zuletzt gelesen hat.</translation>
+    </message>
+    <message>
+        <source>Rate of the wheel that the controller aims at.</source>
+        <translation>Drehzahl des Rades, die der Regler anstrebt.</translation>
+    </message>
+    <message>
+        <source>Record at least 2.56 s, or let the run end.</source>
+        <translation>Mindestens 2.56 s aufzeichnen oder die Fahrt zu Ende gehen lassen.</translation>
+    </message>
+    <message>
+        <source>Redundant constraints</source>
+        <translation>Redundante Bedingungen</translation>
+    </message>
+    <message>
+        <source>Remove one of them.</source>
+        <translation>Eines davon entfernen.</translation>
+    </message>
+    <message>
+        <source>Remove one, or turn it.</source>
+        <translation>Eine entfernen oder drehen.</translation>
+    </message>
+    <message>
+        <source>Remove the joint, or let one of the bodies go.</source>
+        <translation>Das Gelenk entfernen oder einen der Körper lösen.</translation>
+    </message>
+    <message>
+        <source>Remove the joint, or unlock the other one.</source>
+        <translation>Das Gelenk entfernen oder das andere entsperren.</translation>
+    </message>
+    <message>
+        <source>Rename it.</source>
+        <translation>Umbenennen.</translation>
+    </message>
+    <message>
+        <source>Rename its body.</source>
+        <translation>Seinen Körper umbenennen.</translation>
+    </message>
+    <message>
+        <source>Rename one of them.</source>
+        <translation>Eines davon umbenennen.</translation>
+    </message>
+    <message>
+        <source>Required friction (planned)</source>
+        <translation>Nötige Reibung (geplant)</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Wanken</translation>
+    </message>
+    <message>
+        <source>Roll (measured)</source>
+        <translation>Wanken (gemessen)</translation>
+    </message>
+    <message>
+        <source>Roll of the inertial unit as last read.</source>
+        <translation>Wanken laut Inertialsensor, wie zuletzt gelesen.</translation>
+    </message>
+    <message>
+        <source>Run a scenario first.</source>
+        <translation>Zuerst ein Szenario fahren.</translation>
+    </message>
+    <message>
+        <source>Search higher, or make it easier.</source>
+        <translation>Weiter oben suchen oder es leichter machen.</translation>
+    </message>
+    <message>
+        <source>Search lower.</source>
+        <translation>Weiter unten suchen.</translation>
+    </message>
+    <message>
+        <source>Select the body that it belongs to first.</source>
+        <translation>Zuerst den Körper auswählen, zu dem sie gehört.</translation>
+    </message>
+    <message>
+        <source>Select the body to put it in first.</source>
+        <translation>Zuerst den Körper auswählen, in den sie kommt.</translation>
+    </message>
+    <message>
+        <source>Set it within its range.</source>
+        <translation>Innerhalb des Bereichs setzen.</translation>
+    </message>
+    <message>
+        <source>Set the parameters it is made of.</source>
+        <translation>Die Parameter setzen, aus denen er sich ergibt.</translation>
+    </message>
+    <message>
+        <source>Shorten the run&apos;s distance.</source>
+        <translation>Die Strecke der Fahrt verkürzen.</translation>
+    </message>
+    <message>
+        <source>Simplify the project, or run without recording.</source>
+        <translation>Das Projekt vereinfachen oder ohne Aufzeichnung fahren.</translation>
+    </message>
+    <message>
+        <source>Simulated time since the start of the run.</source>
+        <translation>Simulierte Zeit seit Beginn der Fahrt.</translation>
+    </message>
+    <message>
+        <source>Slip (absolute)</source>
+        <translation>Schlupf (absolut)</translation>
+    </message>
+    <message>
+        <source>Slip (lateral)</source>
+        <translation>Schlupf (seitlich)</translation>
+    </message>
+    <message>
+        <source>Slip (loaded)</source>
+        <translation>Schlupf (unter Last)</translation>
+    </message>
+    <message>
+        <source>Slip (signed)</source>
+        <translation>Schlupf (mit Vorzeichen)</translation>
+    </message>
+    <message>
+        <source>Slip ratio</source>
+        <translation>Schlupfverhältnis</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Speed (measured)</source>
+        <translation>Geschwindigkeit (gemessen)</translation>
+    </message>
+    <message>
+        <source>Speed of the chassis origin along the chassis&apos; forward axis.</source>
+        <translation>Geschwindigkeit des Chassis-Ursprungs entlang der Vorwärtsachse des Chassis.</translation>
+    </message>
+    <message>
+        <source>Speed of the wheel centre along the contact tangent.</source>
+        <translation>Geschwindigkeit der Radmitte entlang der Kontakttangente.</translation>
+    </message>
+    <message>
+        <source>Split that first.</source>
+        <translation>Das zuerst trennen.</translation>
+    </message>
+    <message>
+        <source>Start the terrain&apos;s first feature further ahead, or raise the wheel.</source>
+        <translation>Das erste Hindernis des Geländes weiter voraus beginnen lassen oder das Rad anheben.</translation>
+    </message>
+    <message>
+        <source>Start the terrain&apos;s first feature further ahead, raise the body&apos;s shapes, or set the run&apos;s body_contacts to false.</source>
+        <translation>Das erste Hindernis des Geländes weiter voraus beginnen lassen, die Formen des Körpers anheben oder body_contacts der Fahrt auf false setzen.</translation>
+    </message>
+    <message>
+        <source>Statically determinate: every reaction follows from the loads.</source>
+        <translation>Statisch bestimmt: Jede Reaktion folgt aus den Lasten.</translation>
+    </message>
+    <message>
+        <source>Step of {:.3g} ms</source>
+        <translation>Zeitschritt {:.3g} ms</translation>
+    </message>
+    <message>
+        <source>Step too large for the speed</source>
+        <translation>Zeitschritt zu groß für die Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Sum of the absolute motion of the wheel centre along the axle since counting began.</source>
+        <translation>Summe der Beträge der Bewegung der Radmitte entlang der Achse seit Beginn der Zählung.</translation>
+    </message>
+    <message>
+        <source>Sum of the absolute slip of consecutive 20 ms windows since counting began.</source>
+        <translation>Summe der Beträge des Schlupfs aufeinanderfolgender Fenster von 20 ms seit Beginn der Zählung.</translation>
+    </message>
+    <message>
+        <source>Sum of wheel-centre travel minus turn times effective radius; negative when the wheel spins.</source>
+        <translation>Summe aus Weg der Radmitte minus Drehung mal wirksamem Radius; negativ, wenn das Rad durchdreht.</translation>
+    </message>
+    <message>
+        <source>Swap or correct them.</source>
+        <translation>Vertauschen oder berichtigen.</translation>
+    </message>
+    <message>
+        <source>Take a smaller step or a lower speed.</source>
+        <translation>Einen kleineren Zeitschritt oder eine geringere Geschwindigkeit wählen.</translation>
+    </message>
+    <message>
+        <source>Take another copy of the file if there is one.</source>
+        <translation>Eine andere Kopie der Datei nehmen, wenn es eine gibt.</translation>
+    </message>
+    <message>
+        <source>Take another copy of the recording if there is one.</source>
+        <translation>Eine andere Kopie der Aufzeichnung nehmen, wenn es eine gibt.</translation>
+    </message>
+    <message>
+        <source>Take another copy of the recording, or record the run again.</source>
+        <translation>Eine andere Kopie der Aufzeichnung nehmen oder die Fahrt erneut aufzeichnen.</translation>
+    </message>
+    <message>
+        <source>Take some of them out.</source>
+        <translation>Einige herausnehmen.</translation>
+    </message>
+    <message>
+        <source>Take stronger motors, smaller wheels or a lower obstacle.</source>
+        <translation>Stärkere Motoren, kleinere Räder oder ein niedrigeres Hindernis wählen.</translation>
+    </message>
+    <message>
+        <source>Take stronger motors, smaller wheels or a lower slope.</source>
+        <translation>Stärkere Motoren, kleinere Räder oder eine geringere Neigung wählen.</translation>
+    </message>
+    <message>
+        <source>The Grübler count ({}) cannot see this.</source>
+        <translation>Der Laufgrad nach Grübler ({}) kann das nicht zeigen.</translation>
+    </message>
+    <message>
+        <source>The drawn pose is special: after a small real motion more constraints hold. The search was made there, and in the drawn pose itself constraints stay redundant.</source>
+        <translation>Die gezeichnete Stellung ist besonders: Nach einer kleinen wirklichen Bewegung halten mehr Bedingungen. Dort wurde gesucht; in der gezeichneten Stellung selbst bleiben Bedingungen redundant.</translation>
+    </message>
+    <message>
+        <source>The frame buffer for the picture could not be made.</source>
+        <translation>Der Bildspeicher für das Bild war nicht zu bekommen.</translation>
+    </message>
+    <message>
+        <source>The picture could not be written.</source>
+        <translation>Das Bild konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The relaxed model that the file has is exact.</source>
+        <translation>Das gelockerte Modell der Datei ist exakt.</translation>
+    </message>
+    <message>
+        <source>The same of the time in which the wheel carries load: free flight is not in it.</source>
+        <translation>Dasselbe für die Zeit, in der das Rad Last trägt: ohne freien Flug.</translation>
+    </message>
+    <message>
+        <source>The search was cancelled.</source>
+        <translation>Die Suche wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The search was cut short by its time limit.</source>
+        <translation>Die Suche endete an ihrer Zeitgrenze.</translation>
+    </message>
+    <message>
+        <source>This machine&apos;s EGL has no platform displays.</source>
+        <translation>EGL kennt auf diesem Rechner keine Plattformen.</translation>
+    </message>
+    <message>
+        <source>This pose is special: after a small real motion the mobility is {}.</source>
+        <translation>Diese Stellung ist besonders: Nach einer kleinen wirklichen Bewegung ist der Laufgrad {}.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Too little friction for a scenario</source>
+        <translation>Zu wenig Reibung für ein Szenario</translation>
+    </message>
+    <message>
+        <source>Too little torque for a scenario</source>
+        <translation>Zu wenig Drehmoment für ein Szenario</translation>
+    </message>
+    <message>
+        <source>Torque (applied)</source>
+        <translation>Drehmoment (gestellt)</translation>
+    </message>
+    <message>
+        <source>Torque (commanded)</source>
+        <translation>Drehmoment (verlangt)</translation>
+    </message>
+    <message>
+        <source>Torque (planned)</source>
+        <translation>Drehmoment (geplant)</translation>
+    </message>
+    <message>
+        <source>Torque of least required friction by the controller&apos;s quasi-static model, before its speed loop and caps.</source>
+        <translation>Drehmoment der kleinsten nötigen Reibung nach dem quasistatischen Modell des Reglers, vor Geschwindigkeitsschleife und Grenzen.</translation>
+    </message>
+    <message>
+        <source>Torque of the speed loop</source>
+        <translation>Drehmoment der Geschwindigkeitsschleife</translation>
+    </message>
+    <message>
+        <source>Traction force</source>
+        <translation>Traktionskraft</translation>
+    </message>
+    <message>
+        <source>Turn of the chassis about its forward axis, positive right side down.</source>
+        <translation>Drehung des Chassis um seine Vorwärtsachse, positiv mit der rechten Seite nach unten.</translation>
+    </message>
+    <message>
+        <source>Turn of the chassis about its left axis, positive nose down.</source>
+        <translation>Drehung des Chassis um seine linke Achse, positiv mit der Nase nach unten.</translation>
+    </message>
+    <message>
+        <source>Turn of the chassis about the vertical, positive to the left.</source>
+        <translation>Drehung des Chassis um die Senkrechte, nach links positiv.</translation>
+    </message>
+    <message>
+        <source>Turn of the joint by its encoder as the controller last read it.</source>
+        <translation>Drehung des Gelenks laut Geber, wie der Regler sie zuletzt gelesen hat.</translation>
+    </message>
+    <message>
+        <source>Turn of the joint&apos;s second body against the first, 0 at the drawn pose.</source>
+        <translation>Drehung des zweiten Körpers des Gelenks gegen den ersten, 0 in der gezeichneten Stellung.</translation>
+    </message>
+    <message>
+        <source>Type a name.</source>
+        <translation>Einen Namen eingeben.</translation>
+    </message>
+    <message>
+        <source>Type a number or an expression.</source>
+        <translation>Eine Zahl oder einen Ausdruck eingeben.</translation>
+    </message>
+    <message>
+        <source>Unlock it, or remove the spring.</source>
+        <translation>Entsperren oder die Feder entfernen.</translation>
+    </message>
+    <message>
+        <source>Unlock the axle.</source>
+        <translation>Die Achse entsperren.</translation>
+    </message>
+    <message>
+        <source>Use .obj, .stl, .ply, .asc or .png.</source>
+        <translation>.obj, .stl, .ply, .asc oder .png verwenden.</translation>
+    </message>
+    <message>
+        <source>Use a name ending in .png, .svg or .pdf.</source>
+        <translation>Einen Namen wählen, der auf .png, .svg oder .pdf endet.</translation>
+    </message>
+    <message>
+        <source>Use a unit such as mm, deg or kg; it is shown in SI now.</source>
+        <translation>Eine Einheit wie mm, deg oder kg verwenden; vorerst wird er in SI gezeigt.</translation>
+    </message>
+    <message>
+        <source>Use numbers, other parameters and a unit at the end.</source>
+        <translation>Zahlen, andere Parameter und eine Einheit am Ende verwenden.</translation>
+    </message>
+    <message>
+        <source>Use numbers, parameters of the rover and a unit at the end.</source>
+        <translation>Zahlen, Parameter des Rovers und eine Einheit am Ende verwenden.</translation>
+    </message>
+    <message>
+        <source>Use one of: m, dm, cm, mm, km, in.</source>
+        <translation>Eine davon verwenden: m, dm, cm, mm, km, in.</translation>
+    </message>
+    <message>
+        <source>Use one of: {}.</source>
+        <translation>Eines davon verwenden: {}.</translation>
+    </message>
+    <message>
+        <source>Use up to 100 letters, digits and underscores, not starting with a digit and not the name of a function.</source>
+        <translation>Höchstens 100 Buchstaben, Ziffern und Unterstriche verwenden, nicht mit einer Ziffer beginnen und keinen Namen einer Funktion wählen.</translation>
+    </message>
+    <message>
+        <source>Way of the chassis origin along world x since the start.</source>
+        <translation>Weg des Chassis-Ursprungs entlang der Welt-x-Achse seit Beginn.</translation>
+    </message>
+    <message>
+        <source>What the loop on the body&apos;s speed asks of a wheel with the mean load; missing where the controller has no such loop.</source>
+        <translation>Was die Schleife der Fahrgeschwindigkeit von einem Rad mit mittlerer Last verlangt; fehlt, wo der Regler keine solche Schleife hat.</translation>
+    </message>
+    <message>
+        <source>Wheel off the ground</source>
+        <translation>Rad über dem Boden</translation>
+    </message>
+    <message>
+        <source>Wheel rate</source>
+        <translation>Raddrehzahl</translation>
+    </message>
+    <message>
+        <source>Wheel rate (measured)</source>
+        <translation>Raddrehzahl (gemessen)</translation>
+    </message>
+    <message>
+        <source>Wheel rate (planned)</source>
+        <translation>Raddrehzahl (geplant)</translation>
+    </message>
+    <message>
+        <source>Wheel speed</source>
+        <translation>Radgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Wheels are: {}.</source>
+        <translation>Räder sind: {}.</translation>
+    </message>
+    <message>
+        <source>Wheels can fall into holes; close them if that is not meant.</source>
+        <translation>Räder können in Löcher fallen; diese schließen, wenn das nicht gewollt ist.</translation>
+    </message>
+    <message>
+        <source>Wheels in one another</source>
+        <translation>Räder ineinander</translation>
+    </message>
+    <message>
+        <source>Wheels may touch inner faces there; clean the mesh.</source>
+        <translation>Räder können dort innere Flächen berühren; das Netz bereinigen.</translation>
+    </message>
+    <message>
+        <source>Wheels pass through a face from behind; make the normals consistent.</source>
+        <translation>Räder fahren von hinten durch eine Fläche; die Normalen einheitlich ausrichten.</translation>
+    </message>
+    <message>
+        <source>Wheels roll forward: give the axle an axis along y.</source>
+        <translation>Räder rollen vorwärts: dem Radgelenk eine Achse entlang y geben.</translation>
+    </message>
+    <message>
+        <source>With {} held:</source>
+        <translation>Ist {} gehalten:</translation>
+    </message>
+    <message>
+        <source>World x (forward) of the rover frame&apos;s origin carried by the chassis.</source>
+        <translation>Welt-x (vorwärts) des Ursprungs des Rover-Koordinatensystems, das das Chassis trägt.</translation>
+    </message>
+    <message>
+        <source>World x component of the whole force of the ground on the wheel.</source>
+        <translation>Welt-x-Komponente der ganzen Kraft des Bodens auf das Rad.</translation>
+    </message>
+    <message>
+        <source>World x of the centre of mass of the whole rover.</source>
+        <translation>Welt-x des Schwerpunkts des ganzen Rovers.</translation>
+    </message>
+    <message>
+        <source>World y (left) of the same point.</source>
+        <translation>Welt-y (links) desselben Punkts.</translation>
+    </message>
+    <message>
+        <source>World y component of the same force.</source>
+        <translation>Welt-y-Komponente derselben Kraft.</translation>
+    </message>
+    <message>
+        <source>World y of the centre of mass of the whole rover.</source>
+        <translation>Welt-y des Schwerpunkts des ganzen Rovers.</translation>
+    </message>
+    <message>
+        <source>World z (up) of the same point.</source>
+        <translation>Welt-z (oben) desselben Punkts.</translation>
+    </message>
+    <message>
+        <source>World z component of the same force.</source>
+        <translation>Welt-z-Komponente derselben Kraft.</translation>
+    </message>
+    <message>
+        <source>World z of the centre of mass of the whole rover.</source>
+        <translation>Welt-z des Schwerpunkts des ganzen Rovers.</translation>
+    </message>
+    <message>
+        <source>Write &apos;turn&apos; or &apos;slide&apos;, then axis, x, y, z or three numbers.</source>
+        <translation>&apos;turn&apos; oder &apos;slide&apos; schreiben, dann axis, x, y, z oder drei Zahlen.</translation>
+    </message>
+    <message>
+        <source>Write TIME,SPEED,TURN in s, m/s and rad/s, with ; between entries.</source>
+        <translation>TIME,SPEED,TURN in s, m/s und rad/s schreiben, mit ; zwischen Einträgen.</translation>
+    </message>
+    <message>
+        <source>Write an ASCII grid (.asc) or a mesh.</source>
+        <translation>Ein ASCII-Gitter (.asc) oder ein Netz schreiben.</translation>
+    </message>
+    <message>
+        <source>Write it anew, as a grey image of 16 bit.</source>
+        <translation>Neu schreiben, als Graustufenbild mit 16 Bit.</translation>
+    </message>
+    <message>
+        <source>Write it in a unit of {}, or as a number in SI.</source>
+        <translation>In einer Einheit von {} schreiben, oder als Zahl in SI.</translation>
+    </message>
+    <message>
+        <source>Write it in {} or another unit of {}.</source>
+        <translation>In {} oder einer anderen Einheit von {} schreiben.</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>a file of the ground is larger or has a longer name than a recording can have.</source>
+        <translation>Eine Datei des Geländes ist größer oder hat einen längeren Namen, als eine Aufzeichnung haben kann.</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a name in quotes</source>
+        <translation>ein Name in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a number or an expression in quotes</source>
+        <translation>eine Zahl oder ein Ausdruck in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>a shape has no name.</source>
+        <translation>Eine Form hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>a shape is mirrored with its body.</source>
+        <translation>Eine Form wird mit ihrem Körper gespiegelt.</translation>
+    </message>
+    <message>
+        <source>a shape&apos;s two ends coincide.</source>
+        <translation>Die beiden Enden einer Form fallen zusammen.</translation>
+    </message>
+    <message>
+        <source>a sum and a mesh cannot be added to others.</source>
+        <translation>Eine Summe und ein Netz lassen sich nicht zu anderen addieren.</translation>
+    </message>
+    <message>
+        <source>a vertex is not a finite number, or more than 10 km away.</source>
+        <translation>Eine Ecke ist keine endliche Zahl oder mehr als 10 km entfernt.</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a {} cannot be mirrored.</source>
+        <translation>Spiegeln ist hier nicht möglich ({}).</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>all wheels roll</source>
+        <translation>alle Räder rollen</translation>
+    </message>
+    <message>
+        <source>an object in braces</source>
+        <translation>ein Objekt in geschweiften Klammern</translation>
+    </message>
+    <message>
+        <source>an unfinished recording is there.</source>
+        <translation>Dort liegt eine unvollendete Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>angular rate</source>
+        <translation>Drehrate</translation>
+    </message>
+    <message>
+        <source>angular speed</source>
+        <translation>Winkelgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>array</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>as built it has mobility {} of at least 1: it cannot roll.</source>
+        <translation>Wie gebaut ist der Laufgrad {} statt mindestens 1: Er kann nicht rollen.</translation>
+    </message>
+    <message>
+        <source>assumed friction</source>
+        <translation>angenommene Reibung</translation>
+    </message>
+    <message>
+        <source>at x = {:.2f} m it asks for a friction of {:.2f}, and the ground gives {:.2f}.</source>
+        <translation>Bei x = {:.2f} m ist eine Reibungszahl von {:.2f} nötig, der Boden bietet {:.2f}.</translation>
+    </message>
+    <message>
+        <source>at x = {:.2f} m it asks for {:.2f} N m at wheel {}, and its motor gives {:.2f} N m.</source>
+        <translation>Bei x = {:.2f} m sind {:.2f} N m an Rad {} nötig, sein Motor leistet {:.2f} N m.</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>ball</source>
+        <translation>Kugelgelenk</translation>
+    </message>
+    <message>
+        <source>ball with slide</source>
+        <translation>Kugelgelenk mit Schub</translation>
+    </message>
+    <message>
+        <source>ball with {}</source>
+        <translation>Kugelgelenk mit {}</translation>
+    </message>
+    <message>
+        <source>bar height</source>
+        <translation>Höhe des Stabs</translation>
+    </message>
+    <message>
+        <source>bar width</source>
+        <translation>Breite des Stabs</translation>
+    </message>
+    <message>
+        <source>bias</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>body &apos;{}&apos; already carries a wheel.</source>
+        <translation>Körper &apos;{}&apos; trägt schon ein Rad.</translation>
+    </message>
+    <message>
+        <source>body &apos;{}&apos; is fixed.</source>
+        <translation>Körper &apos;{}&apos; ist fest.</translation>
+    </message>
+    <message>
+        <source>body speed</source>
+        <translation>Fahrgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>body {}</source>
+        <translation>Körper {}</translation>
+    </message>
+    <message>
+        <source>boolean</source>
+        <translation>Wahrheitswert</translation>
+    </message>
+    <message>
+        <source>both its bodies are fixed: it has nothing to hold.</source>
+        <translation>Seine beiden Körper sind fest: Es hat nichts zu halten.</translation>
+    </message>
+    <message>
+        <source>box center</source>
+        <translation>Mitte des Quaders</translation>
+    </message>
+    <message>
+        <source>box height</source>
+        <translation>Höhe des Quaders</translation>
+    </message>
+    <message>
+        <source>box length</source>
+        <translation>Länge des Quaders</translation>
+    </message>
+    <message>
+        <source>box pitch</source>
+        <translation>Nicken des Quaders</translation>
+    </message>
+    <message>
+        <source>box width</source>
+        <translation>Breite des Quaders</translation>
+    </message>
+    <message>
+        <source>cannot create a file there</source>
+        <translation>Dort lässt sich keine Datei anlegen</translation>
+    </message>
+    <message>
+        <source>cannot create a file there ({}).</source>
+        <translation>Dort lässt sich keine Datei anlegen ({}).</translation>
+    </message>
+    <message>
+        <source>cannot give the file its name</source>
+        <translation>Die Datei lässt sich nicht benennen</translation>
+    </message>
+    <message>
+        <source>cannot write</source>
+        <translation>Schreiben nicht möglich</translation>
+    </message>
+    <message>
+        <source>cannot write the file</source>
+        <translation>Die Datei lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>cells of {:.6g} m give {:.0f} x {} points.</source>
+        <translation>Zellen von {:.6g} m ergeben {:.0f} x {} Punkte.</translation>
+    </message>
+    <message>
+        <source>centre of mass</source>
+        <translation>Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>channel {}</source>
+        <translation>Kanal {}</translation>
+    </message>
+    <message>
+        <source>clipboard</source>
+        <translation>Zwischenablage</translation>
+    </message>
+    <message>
+        <source>com</source>
+        <translation>Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>contact free sideways</source>
+        <translation>Kontakt seitlich frei</translation>
+    </message>
+    <message>
+        <source>contact {}</source>
+        <translation>Kontakt {}</translation>
+    </message>
+    <message>
+        <source>controller period</source>
+        <translation>Reglerperiode</translation>
+    </message>
+    <message>
+        <source>controllers</source>
+        <translation>Regler</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>coverage</source>
+        <translation>Bedeckung</translation>
+    </message>
+    <message>
+        <source>critical</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>cylinder radius</source>
+        <translation>Radius des Zylinders</translation>
+    </message>
+    <message>
+        <source>cylindrical</source>
+        <translation>Drehschubgelenk</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>derivative gain</source>
+        <translation>D-Anteil</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation>Fahrbefehle</translation>
+    </message>
+    <message>
+        <source>drive entry {}</source>
+        <translation>Fahrbefehl {}</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>expected a list of {} numbers.</source>
+        <translation>Erwartet ist eine Liste von {} Zahlen.</translation>
+    </message>
+    <message>
+        <source>expected {}, found {}.</source>
+        <translation>Erwartet: {}, gefunden: {}.</translation>
+    </message>
+    <message>
+        <source>expression is empty</source>
+        <translation>der Ausdruck ist leer</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>file version {} is not one this program reads ({}).</source>
+        <translation>Dateiversion {} liest dieses Programm nicht ({}).</translation>
+    </message>
+    <message>
+        <source>first point</source>
+        <translation>erster Punkt</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>freedom &apos;{}&apos; is not understood.</source>
+        <translation>Freiheit &apos;{}&apos; ist unverständlich.</translation>
+    </message>
+    <message>
+        <source>friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>gear</source>
+        <translation>Differential</translation>
+    </message>
+    <message>
+        <source>gear {}</source>
+        <translation>Differential {}</translation>
+    </message>
+    <message>
+        <source>ground that hangs over cannot carry a wheel.</source>
+        <translation>Überhängender Boden kann kein Rad tragen.</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>info</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>integral gain</source>
+        <translation>I-Anteil</translation>
+    </message>
+    <message>
+        <source>it cannot be read ({}).</source>
+        <translation>Lässt sich nicht lesen ({}).</translation>
+    </message>
+    <message>
+        <source>it cannot be started: {}.</source>
+        <translation>Lässt sich nicht starten: {}.</translation>
+    </message>
+    <message>
+        <source>it cannot be written ({})</source>
+        <translation>Schreiben nicht möglich ({})</translation>
+    </message>
+    <message>
+        <source>it cannot be written: {}.</source>
+        <translation>Lässt sich nicht schreiben: {}.</translation>
+    </message>
+    <message>
+        <source>it connects a joint with itself.</source>
+        <translation>Verbindet ein Gelenk mit sich selbst.</translation>
+    </message>
+    <message>
+        <source>it does not connect two pins.</source>
+        <translation>Verbindet nicht zwei Drehgelenke.</translation>
+    </message>
+    <message>
+        <source>it ends before its first state hash: nothing can be compared.</source>
+        <translation>Endet vor dem ersten Zustands-Hash: Nichts lässt sich vergleichen.</translation>
+    </message>
+    <message>
+        <source>it has fewer than 2 x 2 pixels.</source>
+        <translation>Hat weniger als 2 x 2 Bildpunkte.</translation>
+    </message>
+    <message>
+        <source>it has neither inertia nor shapes; a solid aluminium ball is assumed.</source>
+        <translation>Hat weder Trägheit noch Formen; angenommen ist eine massive Aluminiumkugel.</translation>
+    </message>
+    <message>
+        <source>it has no bodies.</source>
+        <translation>Hat keine Körper.</translation>
+    </message>
+    <message>
+        <source>it has no entries.</source>
+        <translation>Hat keine Einträge.</translation>
+    </message>
+    <message>
+        <source>it has no name.</source>
+        <translation>Hat keinen Namen.</translation>
+    </message>
+    <message>
+        <source>it has no wheels to drive on.</source>
+        <translation>Hat keine Räder zum Fahren.</translation>
+    </message>
+    <message>
+        <source>it has no wheels to drive.</source>
+        <translation>Hat keine Räder zum Antreiben.</translation>
+    </message>
+    <message>
+        <source>it has no wheels to stand on.</source>
+        <translation>Hat keine Räder zum Stehen.</translation>
+    </message>
+    <message>
+        <source>it has no wheels.</source>
+        <translation>Hat keine Räder.</translation>
+    </message>
+    <message>
+        <source>it has several values; write one (decimals with a point)</source>
+        <translation>es sind mehrere Werte; nur einen schreiben (Dezimalzahlen mit Punkt)</translation>
+    </message>
+    <message>
+        <source>it has too many pixels.</source>
+        <translation>Hat zu viele Bildpunkte.</translation>
+    </message>
+    <message>
+        <source>it has {:.3g} kg, {:.0f} times less than {} (limit {:.0f}): engines that iterate lose accuracy.</source>
+        <translation>Hat {:.3g} kg, {:.0f}-mal weniger als {} (Grenze {:.0f}): Iterierende Engines werden ungenau.</translation>
+    </message>
+    <message>
+        <source>it has {} rims, one outline and holes or several pieces.</source>
+        <translation>Hat {} Ränder: einen Umriss und Löcher, oder mehrere Stücke.</translation>
+    </message>
+    <message>
+        <source>it holds no parts of a rover.</source>
+        <translation>Enthält keine Teile eines Rovers.</translation>
+    </message>
+    <message>
+        <source>it holds parts of another version.</source>
+        <translation>Enthält Teile einer anderen Version.</translation>
+    </message>
+    <message>
+        <source>it holds runs of another plan or rover.</source>
+        <translation>Enthält Fahrten eines anderen Plans oder Rovers.</translation>
+    </message>
+    <message>
+        <source>it is a colour image.</source>
+        <translation>Ist ein Farbbild.</translation>
+    </message>
+    <message>
+        <source>it is damaged at byte {}.</source>
+        <translation>Ist bei Byte {} beschädigt.</translation>
+    </message>
+    <message>
+        <source>it is derived ({}) and cannot be set.</source>
+        <translation>Ist abgeleitet ({}) und nicht zu setzen.</translation>
+    </message>
+    <message>
+        <source>it is drawn {:.1f} mm above the lowest wheel (limit {:.0f} mm).</source>
+        <translation>Ist {:.1f} mm über dem tiefsten Rad gezeichnet (Grenze {:.0f} mm).</translation>
+    </message>
+    <message>
+        <source>it is no main dimension of this template.</source>
+        <translation>Ist kein Hauptmaß dieser Vorlage.</translation>
+    </message>
+    <message>
+        <source>it is no plan of an experiment.</source>
+        <translation>Ist kein Plan eines Experiments.</translation>
+    </message>
+    <message>
+        <source>it is no shape.</source>
+        <translation>Ist keine Form.</translation>
+    </message>
+    <message>
+        <source>it is not a mirrored pair.</source>
+        <translation>Ist kein gespiegeltes Paar.</translation>
+    </message>
+    <message>
+        <source>it is relaxed on one side, but it is not mirrored.</source>
+        <translation>Ist an einer Seite gelockert, aber nicht gespiegelt.</translation>
+    </message>
+    <message>
+        <source>it is the chassis, and the next body, &apos;{}&apos;, is mirrored.</source>
+        <translation>Ist das Chassis, und der nächste Körper, &apos;{}&apos;, ist gespiegelt.</translation>
+    </message>
+    <message>
+        <source>it is used by {}.</source>
+        <translation>Wird verwendet von {}.</translation>
+    </message>
+    <message>
+        <source>it is {:.1f} mm above the ground at the drawn pose.</source>
+        <translation>Steht in der gezeichneten Stellung {:.1f} mm über dem Boden.</translation>
+    </message>
+    <message>
+        <source>it is {:.1f} mm below the ground at the drawn pose.</source>
+        <translation>Steht in der gezeichneten Stellung {:.1f} mm unter dem Boden.</translation>
+    </message>
+    <message>
+        <source>it joins a body to itself.</source>
+        <translation>Verbindet einen Körper mit sich selbst.</translation>
+    </message>
+    <message>
+        <source>it joins two parts that are welded together.</source>
+        <translation>Verbindet zwei Teile, die verschweißt sind.</translation>
+    </message>
+    <message>
+        <source>it stands {:.0f} mm deep in wheel {}.</source>
+        <translation>Steckt {:.0f} mm tief in Rad {}.</translation>
+    </message>
+    <message>
+        <source>it starts {:.1f} mm deep in the ground.</source>
+        <translation>Steckt am Anfang {:.1f} mm tief im Boden.</translation>
+    </message>
+    <message>
+        <source>its axis has no length.</source>
+        <translation>Die Achse hat keine Länge.</translation>
+    </message>
+    <message>
+        <source>its axle does not point sideways.</source>
+        <translation>Die Achse zeigt nicht zur Seite.</translation>
+    </message>
+    <message>
+        <source>its axle is locked or has no freedom.</source>
+        <translation>Die Achse ist gesperrt oder hat keine Freiheit.</translation>
+    </message>
+    <message>
+        <source>its brackets nest deeper than {} levels.</source>
+        <translation>Klammern sind mehr als {} Ebenen tief geschachtelt.</translation>
+    </message>
+    <message>
+        <source>its centre of mass lies only {:.0f} mm inside its feet (limit {:.0f} mm).</source>
+        <translation>Der Schwerpunkt liegt nur {:.0f} mm innerhalb der Aufstandsfläche (Grenze {:.0f} mm).</translation>
+    </message>
+    <message>
+        <source>its centre of mass lies {:.0f} mm outside its feet: it tips.</source>
+        <translation>Der Schwerpunkt liegt {:.0f} mm außerhalb der Aufstandsfläche: Er kippt.</translation>
+    </message>
+    <message>
+        <source>its files are {} MiB together; a recording carries {} MiB at most.</source>
+        <translation>Die Dateien haben zusammen {} MiB; eine Aufzeichnung fasst höchstens {} MiB.</translation>
+    </message>
+    <message>
+        <source>its header cannot be read ({}).</source>
+        <translation>Der Kopf lässt sich nicht lesen ({}).</translation>
+    </message>
+    <message>
+        <source>its inertia is impossible: {}.</source>
+        <translation>Die Trägheit ist unmöglich: {}.</translation>
+    </message>
+    <message>
+        <source>its joint is locked.</source>
+        <translation>Das Gelenk ist gesperrt.</translation>
+    </message>
+    <message>
+        <source>its least radius of gyration is {:.2f} mm (limit {:.0f} mm): it turns as easily as a needle.</source>
+        <translation>Der kleinste Trägheitsradius ist {:.2f} mm (Grenze {:.0f} mm): Er dreht sich so leicht wie eine Nadel.</translation>
+    </message>
+    <message>
+        <source>its mass, centre or inertia is not usable.</source>
+        <translation>Masse, Schwerpunkt oder Trägheit sind unbrauchbar.</translation>
+    </message>
+    <message>
+        <source>its minimum is above its maximum.</source>
+        <translation>Das Minimum liegt über dem Maximum.</translation>
+    </message>
+    <message>
+        <source>its new name is empty.</source>
+        <translation>Der neue Name ist leer.</translation>
+    </message>
+    <message>
+        <source>its numbers are of another rover than its project.</source>
+        <translation>Die Zahlen gehören zu einem anderen Rover als dem des Projekts.</translation>
+    </message>
+    <message>
+        <source>its points are {:.6g} m apart and up to {:.6g} m away.</source>
+        <translation>Die Punkte liegen {:.6g} m auseinander und bis zu {:.6g} m entfernt.</translation>
+    </message>
+    <message>
+        <source>its radius of gyration is {:.2f} m, {:.1f} times the rover&apos;s size (limit {:.0f}).</source>
+        <translation>Der Trägheitsradius ist {:.2f} m, das {:.1f}-Fache der Größe des Rovers (Grenze {:.0f}).</translation>
+    </message>
+    <message>
+        <source>its ratio is zero.</source>
+        <translation>Die Übersetzung ist null.</translation>
+    </message>
+    <message>
+        <source>its run cannot be made again ({}).</source>
+        <translation>Die Fahrt lässt sich nicht nachfahren ({}).</translation>
+    </message>
+    <message>
+        <source>its slope of {:.1f} deg asks for a friction of {:.2f}, and the ground gives {:.2f}.</source>
+        <translation>Die Neigung von {:.1f} Grad verlangt eine Reibungszahl von {:.2f}, der Boden bietet {:.2f}.</translation>
+    </message>
+    <message>
+        <source>its slope of {:.1f} deg asks for {:.0f} N of traction, and all motors together give {:.0f} N.</source>
+        <translation>Die Neigung von {:.1f} Grad verlangt {:.0f} N Traktion, alle Motoren zusammen leisten {:.0f} N.</translation>
+    </message>
+    <message>
+        <source>its steering joint &apos;{}&apos; does not stand upright.</source>
+        <translation>Das Lenkgelenk &apos;{}&apos; steht nicht aufrecht.</translation>
+    </message>
+    <message>
+        <source>its steering joint &apos;{}&apos; is no pin.</source>
+        <translation>Das Lenkgelenk &apos;{}&apos; ist kein Drehgelenk.</translation>
+    </message>
+    <message>
+        <source>its time {:.6g} is not after the one before.</source>
+        <translation>Die Zeit {:.6g} liegt nicht nach der davor.</translation>
+    </message>
+    <message>
+        <source>its times are out of order.</source>
+        <translation>Die Zeiten sind ungeordnet.</translation>
+    </message>
+    <message>
+        <source>its triangles face down; the mesh was turned over.</source>
+        <translation>Die Dreiecke zeigen nach unten; das Netz wurde umgedreht.</translation>
+    </message>
+    <message>
+        <source>its two ends coincide.</source>
+        <translation>Die beiden Enden fallen zusammen.</translation>
+    </message>
+    <message>
+        <source>its two pins do not turn in one common body.</source>
+        <translation>Die beiden Drehgelenke drehen sich nicht in einem gemeinsamen Körper.</translation>
+    </message>
+    <message>
+        <source>its unit &apos;{}&apos; is not known.</source>
+        <translation>Die Einheit &apos;{}&apos; ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>its value depends on itself.</source>
+        <translation>Der Wert hängt von sich selbst ab.</translation>
+    </message>
+    <message>
+        <source>its value is not a finite number</source>
+        <translation>der Wert ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>its value is not a finite number.</source>
+        <translation>Der Wert ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>joint encoder</source>
+        <translation>Gelenkgeber</translation>
+    </message>
+    <message>
+        <source>joint {}</source>
+        <translation>Gelenk {}</translation>
+    </message>
+    <message>
+        <source>key &apos;{}&apos; is given twice in one object.</source>
+        <translation>Der Schlüssel &apos;{}&apos; steht zweimal in einem Objekt.</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>less than {:.0f} mm gained in {:.0f} s</source>
+        <translation>in {1:.0f} s weniger als {0:.0f} mm vorangekommen</translation>
+    </message>
+    <message>
+        <source>less than {} MiB of the disk are free</source>
+        <translation>auf dem Datenträger sind weniger als {} MiB frei</translation>
+    </message>
+    <message>
+        <source>line {}, column {}</source>
+        <translation>Zeile {}, Spalte {}</translation>
+    </message>
+    <message>
+        <source>lower stop</source>
+        <translation>unterer Anschlag</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>missing parenthesis</source>
+        <translation>eine Klammer fehlt</translation>
+    </message>
+    <message>
+        <source>moves along {}</source>
+        <translation>bewegt sich entlang {}</translation>
+    </message>
+    <message>
+        <source>moves along {} and turns about {}</source>
+        <translation>bewegt sich entlang {} und dreht sich um {}</translation>
+    </message>
+    <message>
+        <source>nested too deeply</source>
+        <translation>zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>no body is selected for it.</source>
+        <translation>Kein Körper ist dafür ausgewählt.</translation>
+    </message>
+    <message>
+        <source>no cell of the grid has a height at all of its corners.</source>
+        <translation>Keine Zelle des Gitters hat an allen Ecken eine Höhe.</translation>
+    </message>
+    <message>
+        <source>no file can be made ({})</source>
+        <translation>keine Datei lässt sich anlegen ({})</translation>
+    </message>
+    <message>
+        <source>no file is given.</source>
+        <translation>Keine Datei ist angegeben.</translation>
+    </message>
+    <message>
+        <source>no friction is enough: at x = {:.2f} m no torques move the rover on.</source>
+        <translation>Keine Reibung genügt: Bei x = {:.2f} m bringt kein Drehmoment den Rover weiter.</translation>
+    </message>
+    <message>
+        <source>no joint connects it to the chassis.</source>
+        <translation>Kein Gelenk verbindet ihn mit dem Chassis.</translation>
+    </message>
+    <message>
+        <source>no process can be started to read it.</source>
+        <translation>Zum Lesen lässt sich kein Prozess starten.</translation>
+    </message>
+    <message>
+        <source>no recorded instant lies in these times.</source>
+        <translation>Kein aufgezeichneter Zeitpunkt liegt in diesen Zeiten.</translation>
+    </message>
+    <message>
+        <source>no value of {} brings {} = {} there.</source>
+        <translation>Kein Wert von {} bringt {} = {} dorthin.</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>nothing else moves</source>
+        <translation>sonst bewegt sich nichts</translation>
+    </message>
+    <message>
+        <source>nothing in it can move</source>
+        <translation>nichts darin kann sich bewegen</translation>
+    </message>
+    <message>
+        <source>nothing in it moves.</source>
+        <translation>nichts darin bewegt sich.</translation>
+    </message>
+    <message>
+        <source>null</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>objects lie too deep within each other.</source>
+        <translation>Objekte liegen zu tief ineinander.</translation>
+    </message>
+    <message>
+        <source>of its file &apos;{}&apos; there are {} of {} bytes.</source>
+        <translation>Von der Datei &apos;{}&apos; sind {} von {} Byte da.</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>Wanken und Nicken</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>parameter {}</source>
+        <translation>Parameter {}</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>payload</source>
+        <translation>Nutzlast</translation>
+    </message>
+    <message>
+        <source>payload {}</source>
+        <translation>Nutzlast {}</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>pin</source>
+        <translation>Drehgelenk</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>preload</source>
+        <translation>Vorspannung</translation>
+    </message>
+    <message>
+        <source>proportional gain</source>
+        <translation>P-Anteil</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>ramp time</source>
+        <translation>Anfahrzeit</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>recording of the run</source>
+        <translation>Aufzeichnung der Fahrt</translation>
+    </message>
+    <message>
+        <source>region {}</source>
+        <translation>Bereich {}</translation>
+    </message>
+    <message>
+        <source>resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>rolling resistance</source>
+        <translation>Rollwiderstand</translation>
+    </message>
+    <message>
+        <source>rotor inertia</source>
+        <translation>Rotorträgheit</translation>
+    </message>
+    <message>
+        <source>rover {}</source>
+        <translation>Rover {}</translation>
+    </message>
+    <message>
+        <source>roversim channels FILE lists those of a rover.</source>
+        <translation>roversim channels DATEI nennt die eines Rovers.</translation>
+    </message>
+    <message>
+        <source>roversim mobility FILE lists them.</source>
+        <translation>roversim mobility DATEI nennt sie.</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>scenario {}</source>
+        <translation>Szenario {}</translation>
+    </message>
+    <message>
+        <source>scenario {}, {}{}</source>
+        <translation>Szenario {}, {}{}</translation>
+    </message>
+    <message>
+        <source>second point</source>
+        <translation>zweiter Punkt</translation>
+    </message>
+    <message>
+        <source>seeds</source>
+        <translation>Startwerte</translation>
+    </message>
+    <message>
+        <source>settling time</source>
+        <translation>Einschwingzeit</translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>shape end</source>
+        <translation>Ende der Form</translation>
+    </message>
+    <message>
+        <source>slider</source>
+        <translation>Schubgelenk</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>speed limit</source>
+        <translation>größte Drehzahl</translation>
+    </message>
+    <message>
+        <source>speed {:.6g} or turn {:.6g} is above {:.0f}.</source>
+        <translation>Geschwindigkeit {:.6g} oder Drehung {:.6g} ist größer als {:.0f}.</translation>
+    </message>
+    <message>
+        <source>sphere center</source>
+        <translation>Mitte der Kugel</translation>
+    </message>
+    <message>
+        <source>sphere radius</source>
+        <translation>Radius der Kugel</translation>
+    </message>
+    <message>
+        <source>spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>spring {}</source>
+        <translation>Feder {}</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>steering speed</source>
+        <translation>Lenkgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>steering torque</source>
+        <translation>Lenkmoment</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>stops {:.4g} and {:.4g} rad do not enclose the drawn pose (0).</source>
+        <translation>Die Anschläge {:.4g} und {:.4g} rad schließen die gezeichnete Stellung (0) nicht ein.</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>tactile angle</source>
+        <translation>Winkel am Tastrad</translation>
+    </message>
+    <message>
+        <source>tactile force</source>
+        <translation>Kraft am Tastrad</translation>
+    </message>
+    <message>
+        <source>terrain {}</source>
+        <translation>Gelände {}</translation>
+    </message>
+    <message>
+        <source>terrain {}, file</source>
+        <translation>Gelände {}, Datei</translation>
+    </message>
+    <message>
+        <source>terrains</source>
+        <translation>Gelände</translation>
+    </message>
+    <message>
+        <source>text in quotes</source>
+        <translation>Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>the Advisor</source>
+        <translation>der Ratgeber</translation>
+    </message>
+    <message>
+        <source>the centre of mass is moved by moving this body&apos;s, and it is mirrored or has no mass.</source>
+        <translation>Der Schwerpunkt wird mit dem dieses Körpers verschoben, und der ist gespiegelt oder hat keine Masse.</translation>
+    </message>
+    <message>
+        <source>the ending of the name does not tell the format.</source>
+        <translation>Die Endung des Namens nennt kein bekanntes Format.</translation>
+    </message>
+    <message>
+        <source>the file cannot be read.</source>
+        <translation>Die Datei lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>the file ends after {} of {} heights.</source>
+        <translation>Die Datei endet nach {} von {} Höhen.</translation>
+    </message>
+    <message>
+        <source>the file ends early</source>
+        <translation>die Datei endet zu früh</translation>
+    </message>
+    <message>
+        <source>the file is larger than 256 MiB.</source>
+        <translation>Die Datei ist größer als 256 MiB.</translation>
+    </message>
+    <message>
+        <source>the file is read-only</source>
+        <translation>Die Datei ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>the files of the ground are more or larger than a recording can have.</source>
+        <translation>Die Dateien des Geländes sind mehr oder größer, als eine Aufzeichnung haben kann.</translation>
+    </message>
+    <message>
+        <source>the first body is the chassis, and &apos;{}&apos; is mirrored.</source>
+        <translation>Der erste Körper ist das Chassis, und &apos;{}&apos; ist gespiegelt.</translation>
+    </message>
+    <message>
+        <source>the ground cannot be shown: {}</source>
+        <translation>Das Gelände lässt sich nicht zeigen: {}</translation>
+    </message>
+    <message>
+        <source>the ground has holes, which an image written here cannot show.</source>
+        <translation>Der Boden hat Löcher, die ein hier geschriebenes Bild nicht zeigen kann.</translation>
+    </message>
+    <message>
+        <source>the header lacks ncols, nrows (2 or more) or cellsize (above 0).</source>
+        <translation>Im Kopf fehlen ncols, nrows (2 oder mehr) oder cellsize (über 0).</translation>
+    </message>
+    <message>
+        <source>the largest principal moment ({:.4g}) exceeds the sum of the other two ({:.4g} kg m^2)</source>
+        <translation>das größte Hauptträgheitsmoment ({:.4g}) übersteigt die Summe der beiden anderen ({:.4g} kg m^2)</translation>
+    </message>
+    <message>
+        <source>the loop of joints {}</source>
+        <translation>die Schleife der Gelenke {}</translation>
+    </message>
+    <message>
+        <source>the mesh cannot be read ({}).</source>
+        <translation>Das Netz lässt sich nicht lesen ({}).</translation>
+    </message>
+    <message>
+        <source>the mesh has no triangles with an area.</source>
+        <translation>Das Netz hat keine Dreiecke mit einer Fläche.</translation>
+    </message>
+    <message>
+        <source>the mesh reader gave up: the file is broken, or takes more than 5 s or 1 GiB.</source>
+        <translation>Das Lesen des Netzes wurde aufgegeben: Die Datei ist beschädigt oder braucht mehr als 5 s oder 1 GiB.</translation>
+    </message>
+    <message>
+        <source>the name is empty or used twice.</source>
+        <translation>Der Name ist leer oder doppelt.</translation>
+    </message>
+    <message>
+        <source>the name is used twice.</source>
+        <translation>Der Name kommt zweimal vor.</translation>
+    </message>
+    <message>
+        <source>the picture cannot be written.</source>
+        <translation>Das Bild lässt sich nicht schreiben.</translation>
+    </message>
+    <message>
+        <source>the picture could not be written whole.</source>
+        <translation>Das Bild ließ sich nicht vollständig schreiben.</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s format is not known.</source>
+        <translation>Das Format des Bildes ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>the project has no scenario of this name.</source>
+        <translation>Das Projekt hat kein Szenario dieses Namens.</translation>
+    </message>
+    <message>
+        <source>the project&apos;s text is longer than a recording can have.</source>
+        <translation>Der Text des Projekts ist länger, als eine Aufzeichnung haben kann.</translation>
+    </message>
+    <message>
+        <source>the proposal changes it, but the project has it no longer.</source>
+        <translation>Der Vorschlag ändert es, aber das Projekt hat es nicht mehr.</translation>
+    </message>
+    <message>
+        <source>the recorded project</source>
+        <translation>das aufgezeichnete Projekt</translation>
+    </message>
+    <message>
+        <source>the recording cannot be read.</source>
+        <translation>Die Aufzeichnung lässt sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>the recording cannot be written ({}).</source>
+        <translation>Die Aufzeichnung lässt sich nicht schreiben ({}).</translation>
+    </message>
+    <message>
+        <source>the recording lacks its file &apos;{}&apos;.</source>
+        <translation>In der Aufzeichnung fehlt die Datei &apos;{}&apos;.</translation>
+    </message>
+    <message>
+        <source>the recording was interrupted or is damaged: {} of its {} bytes can be read, up to {:.2f} s.</source>
+        <translation>Die Aufzeichnung wurde unterbrochen oder ist beschädigt: {} ihrer {} Byte sind lesbar, bis {:.2f} s.</translation>
+    </message>
+    <message>
+        <source>the rover finds no way to stand at its start.</source>
+        <translation>Der Rover kann am Anfang nicht stehen.</translation>
+    </message>
+    <message>
+        <source>the rover goes {:.2f} mm in a step of {:.3g} ms (limit {:.2f} mm, a hundredth of a wheel&apos;s radius): contacts are met too late.</source>
+        <translation>Der Rover fährt {:.2f} mm in einem Zeitschritt von {:.3g} ms (Grenze {:.2f} mm, ein Hundertstel eines Radradius): Kontakte kommen zu spät.</translation>
+    </message>
+    <message>
+        <source>the rover has more parts than a recording can have.</source>
+        <translation>Der Rover hat mehr Teile, als eine Aufzeichnung haben kann.</translation>
+    </message>
+    <message>
+        <source>the rover has no parameter of this name.</source>
+        <translation>Der Rover hat keinen Parameter dieses Namens.</translation>
+    </message>
+    <message>
+        <source>the run completes at {:.4g}.</source>
+        <translation>Bei {:.4g} kommt die Fahrt ans Ziel.</translation>
+    </message>
+    <message>
+        <source>the run does not complete at {:.4g}.</source>
+        <translation>Bei {:.4g} kommt die Fahrt nicht ans Ziel.</translation>
+    </message>
+    <message>
+        <source>the run has no channel of this name.</source>
+        <translation>Die Fahrt hat keinen Kanal dieses Namens.</translation>
+    </message>
+    <message>
+        <source>the run never began.</source>
+        <translation>Die Fahrt hat nie begonnen.</translation>
+    </message>
+    <message>
+        <source>the run&apos;s recording is no longer there.</source>
+        <translation>Die Aufzeichnung der Fahrt ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>the simulation could not be made</source>
+        <translation>Die Simulation ließ sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>the simulation could not be made: {}</source>
+        <translation>Die Simulation ließ sich nicht anlegen: {}</translation>
+    </message>
+    <message>
+        <source>the simulation stopped for an unknown reason</source>
+        <translation>Die Simulation hielt aus unbekanntem Grund an</translation>
+    </message>
+    <message>
+        <source>the smallest principal moment of inertia is {:.4g} kg m^2, not positive</source>
+        <translation>das kleinste Hauptträgheitsmoment ist {:.4g} kg m^2, nicht positiv</translation>
+    </message>
+    <message>
+        <source>the text cannot be read ({}).</source>
+        <translation>Der Text lässt sich nicht lesen ({}).</translation>
+    </message>
+    <message>
+        <source>the {} is {:.6g}, negative.</source>
+        <translation>{} ist {:.6g}, also negativ.</translation>
+    </message>
+    <message>
+        <source>the {} is {:.6g}, not positive.</source>
+        <translation>{} ist {:.6g}, also nicht positiv.</translation>
+    </message>
+    <message>
+        <source>there are no triangles in it</source>
+        <translation>keine Dreiecke sind darin</translation>
+    </message>
+    <message>
+        <source>there are no two bodies to join.</source>
+        <translation>Es gibt keine zwei Körper zum Verbinden.</translation>
+    </message>
+    <message>
+        <source>there are no two pins in one body left for it to connect.</source>
+        <translation>Es gibt keine zwei freien Drehgelenke in einem Körper mehr, die es verbinden könnte.</translation>
+    </message>
+    <message>
+        <source>there are none.</source>
+        <translation>Es gibt keine.</translation>
+    </message>
+    <message>
+        <source>there are too many triangles in it</source>
+        <translation>zu viele Dreiecke sind darin</translation>
+    </message>
+    <message>
+        <source>there is already a {} &apos;{}&apos;.</source>
+        <translation>{} &apos;{}&apos; gibt es schon.</translation>
+    </message>
+    <message>
+        <source>there is more than the {} heights of {} x {} points.</source>
+        <translation>Es sind mehr als die {} Höhen von {} x {} Punkten.</translation>
+    </message>
+    <message>
+        <source>there is no body for it.</source>
+        <translation>Es gibt keinen Körper dafür.</translation>
+    </message>
+    <message>
+        <source>there is no body to carry it.</source>
+        <translation>Es gibt keinen Körper, der sie trägt.</translation>
+    </message>
+    <message>
+        <source>there is no body to hang it on.</source>
+        <translation>Es gibt keinen Körper, an dem es hängen könnte.</translation>
+    </message>
+    <message>
+        <source>there is no body, joint or wheel of this name</source>
+        <translation>Kein Körper, Gelenk oder Rad heißt so</translation>
+    </message>
+    <message>
+        <source>there is no file &apos;{}&apos; in &apos;{}&apos;.</source>
+        <translation>In &apos;{1}&apos; gibt es keine Datei &apos;{0}&apos;.</translation>
+    </message>
+    <message>
+        <source>there is no ground under it at the start, x = {:.3g} m, y = {:.3g} m.</source>
+        <translation>Am Anfang ist kein Boden unter dem Rad, x = {:.3g} m, y = {:.3g} m.</translation>
+    </message>
+    <message>
+        <source>there is no number.</source>
+        <translation>Die Zahl fehlt.</translation>
+    </message>
+    <message>
+        <source>there is no pin for it to act on.</source>
+        <translation>Es gibt kein Drehgelenk, an dem sie wirken könnte.</translation>
+    </message>
+    <message>
+        <source>there is no run to save.</source>
+        <translation>Es gibt keine Fahrt zum Speichern.</translation>
+    </message>
+    <message>
+        <source>there is no run to write.</source>
+        <translation>Es gibt keine Fahrt zum Schreiben.</translation>
+    </message>
+    <message>
+        <source>there is no such file.</source>
+        <translation>Diese Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>there is no such place among its shapes.</source>
+        <translation>Diesen Platz gibt es unter seinen Formen nicht.</translation>
+    </message>
+    <message>
+        <source>there is no such place in the list.</source>
+        <translation>Diesen Platz gibt es in der Liste nicht.</translation>
+    </message>
+    <message>
+        <source>there is no such variant.</source>
+        <translation>Diese Variante gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>there is no such wheel.</source>
+        <translation>Dieses Rad gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>there is no variant &apos;{}&apos;.</source>
+        <translation>Eine Variante &apos;{}&apos; gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>there is no {} &apos;{}&apos;.</source>
+        <translation>{} &apos;{}&apos; gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>there is none to drive with, or one outside 0 to 5.</source>
+        <translation>Es gibt keine zum Fahren, oder eine außerhalb von 0 bis 5.</translation>
+    </message>
+    <message>
+        <source>there is none, or one that nobody drives.</source>
+        <translation>Es gibt keinen, oder einen, mit dem niemand fährt.</translation>
+    </message>
+    <message>
+        <source>there is nothing of its run in it.</source>
+        <translation>Von der Fahrt ist nichts darin.</translation>
+    </message>
+    <message>
+        <source>this is not a RoverStudio project.</source>
+        <translation>Ist kein Projekt von RoverStudio.</translation>
+    </message>
+    <message>
+        <source>this is not a readable PNG image ({}).</source>
+        <translation>Ist kein lesbares PNG-Bild ({}).</translation>
+    </message>
+    <message>
+        <source>this is not a recording.</source>
+        <translation>Ist keine Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>this is not valid JSON ({}).</source>
+        <translation>Ist kein gültiges JSON ({}).</translation>
+    </message>
+    <message>
+        <source>this name cannot be used in expressions.</source>
+        <translation>Dieser Name ist in Ausdrücken nicht verwendbar.</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>too few parameters for function &quot;{}&quot; at expression position {}</source>
+        <translation>zu wenige Argumente für Funktion &quot;{}&quot; an Stelle {} des Ausdrucks</translation>
+    </message>
+    <message>
+        <source>too many parameters for function &quot;{}&quot; at expression position {}</source>
+        <translation>zu viele Argumente für Funktion &quot;{}&quot; an Stelle {} des Ausdrucks</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>torque limit</source>
+        <translation>größtes Moment</translation>
+    </message>
+    <message>
+        <source>torsional damping</source>
+        <translation>Drehdämpfung</translation>
+    </message>
+    <message>
+        <source>torsional stiffness</source>
+        <translation>Drehsteifigkeit</translation>
+    </message>
+    <message>
+        <source>travel</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>turns about {}</source>
+        <translation>dreht sich um {}</translation>
+    </message>
+    <message>
+        <source>two of its free directions are the same or dependent.</source>
+        <translation>Zwei der freien Richtungen sind gleich oder abhängig.</translation>
+    </message>
+    <message>
+        <source>unexpected argument separator at position {}</source>
+        <translation>unerwartetes Trennzeichen an Stelle {}</translation>
+    </message>
+    <message>
+        <source>unexpected end of expression at position {}</source>
+        <translation>unerwartetes Ende des Ausdrucks an Stelle {}</translation>
+    </message>
+    <message>
+        <source>unexpected function &quot;{}&quot; at position {}</source>
+        <translation>unerwartete Funktion &quot;{}&quot; an Stelle {}</translation>
+    </message>
+    <message>
+        <source>unexpected operator &quot;{}&quot; found at position {}</source>
+        <translation>unerwarteter Operator &quot;{}&quot; an Stelle {}</translation>
+    </message>
+    <message>
+        <source>unexpected parenthesis &quot;{}&quot; at position {}</source>
+        <translation>unerwartete Klammer &quot;{}&quot; an Stelle {}</translation>
+    </message>
+    <message>
+        <source>unexpected token &quot;{}&quot; found at position {}</source>
+        <translation>unerwartetes Zeichen &quot;{}&quot; an Stelle {}</translation>
+    </message>
+    <message>
+        <source>unexpected value &quot;{}&quot; found at position {}</source>
+        <translation>unerwarteter Wert &quot;{}&quot; an Stelle {}</translation>
+    </message>
+    <message>
+        <source>unexpected variable &quot;{}&quot; found at position {}</source>
+        <translation>unerwartete Variable &quot;{}&quot; an Stelle {}</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>universal</source>
+        <translation>Kreuzgelenk</translation>
+    </message>
+    <message>
+        <source>upper stop</source>
+        <translation>oberer Anschlag</translation>
+    </message>
+    <message>
+        <source>variant</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>variant {}</source>
+        <translation>Variante {}</translation>
+    </message>
+    <message>
+        <source>variant {}, {}</source>
+        <translation>Variante {}, {}</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>weld</source>
+        <translation>verschweißt</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>wheel rate</source>
+        <translation>Raddrehzahl</translation>
+    </message>
+    <message>
+        <source>wheel {}</source>
+        <translation>Rad {}</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>worker {}</source>
+        <translation>Arbeiter {}</translation>
+    </message>
+    <message>
+        <source>x from</source>
+        <translation>x von</translation>
+    </message>
+    <message>
+        <source>x to</source>
+        <translation>x bis</translation>
+    </message>
+    <message>
+        <source>y from</source>
+        <translation>y von</translation>
+    </message>
+    <message>
+        <source>y to</source>
+        <translation>y bis</translation>
+    </message>
+    <message>
+        <source>{:.0f} x {:.0f} points are more than {}.</source>
+        <translation>{:.0f} x {:.0f} Punkte sind mehr als {}.</translation>
+    </message>
+    <message>
+        <source>{:.4g} to {:.4g} in steps of {:.4g} cannot be searched.</source>
+        <translation>{:.4g} bis {:.4g} in Schritten von {:.4g} lässt sich nicht absuchen.</translation>
+    </message>
+    <message>
+        <source>{:.6g} is not between {:.6g} and {:.6g}.</source>
+        <translation>{:.6g} liegt nicht zwischen {:.6g} und {:.6g}.</translation>
+    </message>
+    <message>
+        <source>{:.6g} m between points gives {:.0f} x {:.0f} of them.</source>
+        <translation>{:.6g} m zwischen Punkten ergibt {:.0f} x {:.0f} davon.</translation>
+    </message>
+    <message>
+        <source>{:.6g} m is more than 1000 m.</source>
+        <translation>{:.6g} m ist mehr als 1000 m.</translation>
+    </message>
+    <message>
+        <source>{} </source>
+        <translation>{}: </translation>
+    </message>
+    <message>
+        <source>{} (its project)</source>
+        <translation>{} (sein Projekt)</translation>
+    </message>
+    <message>
+        <source>{} ({}); the recording ends before the run.</source>
+        <translation>{} ({}); die Aufzeichnung endet vor der Fahrt.</translation>
+    </message>
+    <message>
+        <source>{} = {} depends on {}.</source>
+        <translation>{} = {} hängt ab von {}.</translation>
+    </message>
+    <message>
+        <source>{} and {} more</source>
+        <translation>{} und {} weitere</translation>
+    </message>
+    <message>
+        <source>{} balls</source>
+        <translation>{} Kugelgelenke</translation>
+    </message>
+    <message>
+        <source>{} balls with slide</source>
+        <translation>{} Kugelgelenke mit Schub</translation>
+    </message>
+    <message>
+        <source>{} bodies move</source>
+        <translation>{} Körper bewegen sich</translation>
+    </message>
+    <message>
+        <source>{} cannot be closed</source>
+        <translation>{} lässt sich nicht schließen</translation>
+    </message>
+    <message>
+        <source>{} cannot move</source>
+        <translation>{} kann sich nicht bewegen</translation>
+    </message>
+    <message>
+        <source>{} constraints are redundant</source>
+        <translation>{} Bedingungen redundant</translation>
+    </message>
+    <message>
+        <source>{} constraints are redundant, and the relaxed model leaves {} of them.</source>
+        <translation>{} Bedingungen sind redundant, und das gelockerte Modell lässt {} davon.</translation>
+    </message>
+    <message>
+        <source>{} contacts free sideways</source>
+        <translation>{} Kontakte seitlich frei</translation>
+    </message>
+    <message>
+        <source>{} cylindrical</source>
+        <translation>{} Drehschubgelenke</translation>
+    </message>
+    <message>
+        <source>{} drops</source>
+        <translation>{} fällt</translation>
+    </message>
+    <message>
+        <source>{} edges have more than two triangles.</source>
+        <translation>{} Kanten haben mehr als zwei Dreiecke.</translation>
+    </message>
+    <message>
+        <source>{} edges lie between triangles that face opposite sides.</source>
+        <translation>{} Kanten liegen zwischen Dreiecken, die nach entgegengesetzten Seiten zeigen.</translation>
+    </message>
+    <message>
+        <source>{} freedoms within it.</source>
+        <translation>{} Freiheiten in sich.</translation>
+    </message>
+    <message>
+        <source>{} grousers cannot be drawn.</source>
+        <translation>{} Stollen lassen sich nicht zeichnen.</translation>
+    </message>
+    <message>
+        <source>{} holds its bodies</source>
+        <translation>{} hält ihre Körper</translation>
+    </message>
+    <message>
+        <source>{} is drawn in a singular pose: which way it went on from there is chance</source>
+        <translation>{} ist in singulärer Stellung gezeichnet: Wie es von dort weiterging, ist Zufall</translation>
+    </message>
+    <message>
+        <source>{} is free</source>
+        <translation>{} ist frei</translation>
+    </message>
+    <message>
+        <source>{} is mirrored and means it by the name &apos;{}&apos; together with one on the other side.</source>
+        <translation>{} ist gespiegelt und meint es mit dem Namen &apos;{}&apos; zusammen mit einem der anderen Seite.</translation>
+    </message>
+    <message>
+        <source>{} joints change: {}; {} points, the least</source>
+        <translation>{} Gelenke ändern sich: {}; {} Punkte, die wenigsten</translation>
+    </message>
+    <message>
+        <source>{} joints change: {}; {} points, {} more than the least</source>
+        <translation>{} Gelenke ändern sich: {}; {} Punkte, {} mehr als die wenigsten</translation>
+    </message>
+    <message>
+        <source>{} joints of the suspension turn</source>
+        <translation>{} Gelenke der Aufhängung drehen sich</translation>
+    </message>
+    <message>
+        <source>{} lands</source>
+        <translation>{} setzt auf</translation>
+    </message>
+    <message>
+        <source>{} leaves</source>
+        <translation>{} löst sich</translation>
+    </message>
+    <message>
+        <source>{} leaves edge</source>
+        <translation>{} verlässt Kante</translation>
+    </message>
+    <message>
+        <source>{} leaves its stop</source>
+        <translation>{} verlässt Anschlag</translation>
+    </message>
+    <message>
+        <source>{} lifts</source>
+        <translation>{} hebt ab</translation>
+    </message>
+    <message>
+        <source>{} meets</source>
+        <translation>{} trifft auf</translation>
+    </message>
+    <message>
+        <source>{} of its constraints repeat what its others already hold.</source>
+        <translation>{} seiner Bedingungen wiederholen, was die anderen schon halten.</translation>
+    </message>
+    <message>
+        <source>{} of its motions move neither chassis nor wheels.</source>
+        <translation>{} seiner Bewegungen bewegen weder Chassis noch Räder.</translation>
+    </message>
+    <message>
+        <source>{} of the freedoms are idle: neither chassis nor wheels move.</source>
+        <translation>{} der Freiheiten sind leer: Weder Chassis noch Räder bewegen sich.</translation>
+    </message>
+    <message>
+        <source>{} of {} wheels roll</source>
+        <translation>{} von {} Rädern rollen</translation>
+    </message>
+    <message>
+        <source>{} passed a singular pose, where energy could not be kept within 1 %</source>
+        <translation>{} durchlief eine singuläre Stellung, in der die Energie nicht auf 1 % zu halten war</translation>
+    </message>
+    <message>
+        <source>{} passed next to a singular pose</source>
+        <translation>{} kam dicht an eine singuläre Stellung</translation>
+    </message>
+    <message>
+        <source>{} pieces that no joint connects.</source>
+        <translation>{} Stücke, die kein Gelenk verbindet.</translation>
+    </message>
+    <message>
+        <source>{} reaches edge</source>
+        <translation>{} erreicht Kante</translation>
+    </message>
+    <message>
+        <source>{} reaches its stop</source>
+        <translation>{} erreicht Anschlag</translation>
+    </message>
+    <message>
+        <source>{} terrains are added.</source>
+        <translation>{} Gelände werden addiert.</translation>
+    </message>
+    <message>
+        <source>{} touches</source>
+        <translation>{} berührt den Boden</translation>
+    </message>
+    <message>
+        <source>{} triangles without area were left out.</source>
+        <translation>{} Dreiecke ohne Fläche wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>{} turns, {} slides</source>
+        <translation>{} Drehungen, {} Schübe</translation>
+    </message>
+    <message>
+        <source>{} universal</source>
+        <translation>{} Kreuzgelenke</translation>
+    </message>
+    <message>
+        <source>{}, every wheel at the traction cap of assumed friction {:.3g}</source>
+        <translation>{}, jedes Rad an der Traktionsgrenze der angenommenen Reibung {:.3g}</translation>
+    </message>
+    <message>
+        <source>{}, shape {}</source>
+        <translation>{}, Form {}</translation>
+    </message>
+    <message>
+        <source>{}, though every wheel gave all that the ground takes; they rest</source>
+        <translation>{}, obwohl jedes Rad alles gab, was der Boden hergibt; sie ruhen</translation>
+    </message>
+    <message>
+        <source>{}..{} are no seeds.</source>
+        <translation>{}..{} sind keine Startwerte.</translation>
+    </message>
+    <message>
+        <source>{}: &apos;{}&apos; has no value: {}.</source>
+        <translation>{}: &apos;{}&apos; hat keinen Wert: {}.</translation>
+    </message>
+    <message>
+        <source>{}: its value is not a finite number.</source>
+        <translation>{}: Der Wert ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>{}: line {}</source>
+        <translation>{}: Zeile {}</translation>
+    </message>
+    <message>
+        <source>{}; it was given up.</source>
+        <translation>{}; sie wurde aufgegeben.</translation>
+    </message>
+    <message>
+        <source>{}{} is above its maximum of {}{}.</source>
+        <translation>{}{} liegt über dem Maximum von {}{}.</translation>
+    </message>
+    <message>
+        <source>{}{} is below its minimum of {}{}.</source>
+        <translation>{}{} liegt unter dem Minimum von {}{}.</translation>
+    </message>
+    <message>
+        <source>gear ratio</source>
+        <translation>Übersetzung</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ActionRegistry</name>
     <message>
         <source>Keyboard shortcuts</source>
@@ -1030,7 +3990,7 @@
     </message>
     <message>
         <source>idle</source>
-        <translation>müßig</translation>
+        <translation>leer</translation>
     </message>
     <message>
         <source>Exact as built</source>
@@ -1150,7 +4110,7 @@
     </message>
     <message>
         <source>Which joints need more freedom so that nothing is redundant or idle, and the rover still moves as it does? The cheapest sets are proposed; one of them can become the relaxed model.</source>
-        <translation>Welche Gelenke brauchen mehr Freiheit, damit nichts redundant oder müßig ist und der Rover sich bewegt wie bisher? Vorgeschlagen werden die billigsten Sätze; einer davon kann das gelockerte Modell werden.</translation>
+        <translation>Welche Gelenke brauchen mehr Freiheit, damit nichts redundant oder leer ist und der Rover sich bewegt wie bisher? Vorgeschlagen werden die billigsten Sätze; einer davon kann das gelockerte Modell werden.</translation>
     </message>
     <message>
         <source>Proposal %1 is applied</source>
@@ -3093,6 +6053,10 @@ Sie stehen unter Probleme.</translation>
         <source>Freedoms the rover truly has: 6 n − rank J</source>
         <translation>Freiheiten, die der Rover wirklich hat: 6 n − Rang J</translation>
     </message>
+    <message>
+        <source>contact %1</source>
+        <translation>Kontakt %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MotionPage</name>
@@ -3872,7 +6836,7 @@ oder in der 3-D-Ansicht auswählen.</translation>
     <name>widgets::RunBar</name>
     <message>
         <source>%1 m driven, slip %2 m, %3 J</source>
-        <translation>%1 m gefahren, Schlupf %2 m, %3 J</translation>
+        <translation>%1 m, Schlupf %2 m, %3 J</translation>
     </message>
     <message>
         <source>Completed: %1</source>

@@ -7,6 +7,8 @@
 #include <QTranslator>
 #include <clocale>
 
+#include "simcore/base/text.h"
+
 /// In the namespace of all: the name that rcc gives.
 static void initResources() {
     Q_INIT_RESOURCE(translations);
@@ -29,6 +31,11 @@ void install(const QString& name, const QString& folder) {
     } else {
         delete translator;
     }
+}
+
+/// The window's languages for the sentences of simcore.
+std::string translated(const char* pattern) {
+    return QCoreApplication::translate("simcore", pattern).toStdString();
 }
 
 }  // namespace
@@ -67,6 +74,7 @@ void installLanguage(const QString& language) {
         install("qtbase_" + language, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
         install("roverstudio_" + language, ":/translations");
     }
+    simcore::Text::setLookUp(language == "en" ? nullptr : translated);
 }
 
 }  // namespace widgets

@@ -603,8 +603,8 @@ void MainWindow::selectJoint(const std::string& joint, bool more) {
     if (joint.empty()) {
         return;
     }
-    const ElementRef element =
-        simcore::project::findElement(document_->project(), "joint " + joint);
+    const ElementRef element = simcore::project::findElement(
+        document_->project(), simcore::project::ElementKind::Joint, joint);
     more ? tree_->toggle(element) : tree_->select(element);
     properties_->setElement(element);
     editors_->setCurrentWidget(properties_);
@@ -621,7 +621,8 @@ void MainWindow::selectBody(const std::string& body, bool more) {
         tree_->select({});
         return;
     }
-    const ElementRef element = simcore::project::findElement(document_->project(), "body " + body);
+    const ElementRef element = simcore::project::findElement(
+        document_->project(), simcore::project::ElementKind::Body, body);
     more ? tree_->toggle(element) : tree_->select(element);
     properties_->setElement(element);
     editors_->setCurrentWidget(properties_);

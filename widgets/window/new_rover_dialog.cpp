@@ -180,8 +180,9 @@ void NewRoverDialog::makeFields() {
 Problems NewRoverDialog::setDimension(int place, const Quantity& value) {
     Project next = draft_.project();
     Parameter& parameter = next.rover.parameters.at(static_cast<std::size_t>(place));
-    const auto number = simcore::project::evaluate(value, draft_.derived().parameters,
-                                                   "parameter " + parameter.name);
+    const auto number = simcore::project::evaluate(
+        value, draft_.derived().parameters,
+        titleFor(simcore::project::ElementKind::Parameter, parameter.name));
     if (!number) {
         return number.problems();
     }
@@ -241,7 +242,9 @@ void NewRoverDialog::update() {
         // A derived parameter says by its meaning what is in the way.
         QString where = QString::fromStdString(problem.element);
         for (const Parameter& parameter : draft_.project().rover.parameters) {
-            if (problem.element == "parameter " + parameter.name && !parameter.meaning.empty()) {
+            if (problem.element ==
+                    titleFor(simcore::project::ElementKind::Parameter, parameter.name) &&
+                !parameter.meaning.empty()) {
                 where = QString::fromStdString(parameter.meaning);
             }
         }

@@ -10,6 +10,7 @@
 
 #include <exception>
 
+#include "simcore/base/text.h"
 #include "simcore/base/version.h"
 #include "simcore/io/replay.h"
 #include "widgets/session/may_replace.h"
@@ -183,9 +184,10 @@ void RecordingCommands::runAgain() {
                 replayed = simcore::io::replay(**reader, goOn);
             }
         } catch (const std::exception& error) {
-            replayed = simcore::Problem{simcore::Severity::Critical, file.string(),
-                                        std::string("it cannot be read (") + error.what() + ").",
-                                        "Close other programs if there is no memory left."};
+            replayed = simcore::Problem{
+                simcore::Severity::Critical, file.string(),
+                simcore::Text::of("it cannot be read ({}).", error.what()),
+                simcore::Text::of("Close other programs if there is no memory left.")};
         }
     });
     if (!replayed) {

@@ -36,7 +36,7 @@ using simcore::project::ShapeKind;
 
 namespace {
 
-/// "addBody": the words of the kinds are those of problems.
+/// "addBody".
 QString addActionName(ElementKind kind) {
     QString word = QString::fromStdString(wordFor(kind));
     word[0] = word[0].toUpper();

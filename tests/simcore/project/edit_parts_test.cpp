@@ -9,6 +9,7 @@
 #include "simcore/project/edit.h"
 #include "simcore/project/names.h"
 #include "simcore/run/simulation.h"
+#include "tests/support/other_language.h"
 #include "tests/support/projects.h"
 
 using namespace simcore;
@@ -421,4 +422,25 @@ TEST(ShapePartsTest, ProblemsLeadToTheShape) {
     EXPECT_EQ(elements.front(), "body rocker_left, shape 3");
     EXPECT_EQ(findElement(project, elements.front()), shapeOf(1, 2));
     EXPECT_EQ(findElement(project, "body rocker, shape 9"), (ElementRef{ElementKind::Body, 1}));
+    EXPECT_EQ(findElement(project, ElementKind::Body, "rocker_left"),
+              (ElementRef{ElementKind::Body, 1}));
+}
+
+TEST(ShapePartsTest, ProblemsLeadToTheirElementInAnyLanguage) {
+    const testsupport::InOtherLanguage other;
+    Project project = withShapes();
+    project.rover.bodies[1].shapes[2].radius = 0.0;
+    std::string element;
+    for (const Problem& problem : validate(project)) {
+        element = problem.severity == Severity::Critical ? problem.element : element;
+    }
+    EXPECT_EQ(element, "BODY rocker_right, SHAPE 3");
+    EXPECT_EQ(findElement(project, element), shapeOf(1, 2));
+    for (const ElementKind kind : allElementKinds()) {
+        for (int i = 0; i < countOf(project, kind); ++i) {
+            const std::string title = titleFor(kind, nameOf(project, {kind, i}));
+            EXPECT_EQ(findElement(project, title), (ElementRef{kind, i})) << title;
+            EXPECT_EQ(findElement(project, title + ", height"), (ElementRef{kind, i})) << title;
+        }
+    }
 }
