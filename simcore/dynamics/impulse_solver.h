@@ -45,26 +45,27 @@ class PatternedLu {
     /// Adds what elimination fills.
     void close();
 
-    /// Factors in place. Elements outside the pattern are to be zero. Columns beyond the square are
-    /// right sides, which are taken through the elimination.
+    /// Makes it a zero matrix with columns beyond the square: one for a right side, and some that
+    /// stay zero.
+    void shape(RowMajor& matrix) const;
+    /// Factors a matrix of that shape in place and takes its right side through the elimination.
+    /// Elements outside the pattern are to be zero.
     void factor(RowMajor& matrix) const;
     void solve(const RowMajor& factored, Eigen::VectorXd& x) const;
     /// The solution for the right side in the column after the square.
     void solveCarried(const RowMajor& factored, Eigen::VectorXd& x) const;
 
   private:
-    /// Columns next to each other.
-    struct Run {
-        int first = 0;
-        int end = 0;
-    };
+    /// Rows are some ten elements long: run over in whole blocks of this many columns.
+    static constexpr int kBlock = 4;
 
     void substituteBack(const RowMajor& factored, Eigen::VectorXd& x) const;
 
     int size_ = 0;
     std::vector<std::vector<bool>> pattern_;
     std::vector<std::vector<int>> after_;  ///< of every pivot, the later rows it meets
-    std::vector<std::vector<Run>> runs_;   ///< the same as runs of columns, with small gaps
+    std::vector<std::vector<int>>
+        blocks_;  ///< first columns of blocks with them and the right side
 };
 
 /// How a body's twist follows from independent rates.
@@ -98,7 +99,7 @@ struct ScalarRow {
 };
 
 struct ImpulseProblem {
-    RowMajor mass;             ///< A, implicit forces included
+    RowMajor mass;             ///< A, implicit forces included, shaped as PatternedLu asks for
     Eigen::VectorXd momentum;  ///< g
     std::vector<RateMap> bodies;
     std::vector<int> touched;  ///< bodies that have contacts; the maps of others are not looked at
@@ -160,13 +161,14 @@ class ImpulseSolver {
     };
 
     void addContacts(const ImpulseProblem& problem);
+    void addRoot(const std::array<int, 6>& indices, const Mat6& stiffness, const Vec6& push);
     void addBody(const RateMap& body, const Mat6& stiffness, const Vec6& push);
     void addRows(const ImpulseProblem& problem);
     Vec3 impulseAt(std::size_t index, const ContactRow& contact, Way way, double share) const;
     double merit(const ImpulseProblem& problem, Way way, double share) const;
     double bestShare(const ImpulseProblem& problem, Way way) const;
 
-    RowMajor matrix_;               ///< with the right side as its last column
+    RowMajor matrix_;               ///< with the right side beside it
     std::vector<ContactLaw> laws_;  ///< of every contact
     std::vector<Asked> asked_;      ///< of every contact
     std::vector<int> limits_;       ///< per scalar row: -1, 0, 1 where it is held at a limit

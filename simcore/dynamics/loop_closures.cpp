@@ -10,6 +10,8 @@
 #include <Eigen/QR>
 #include "simcore/base/text.h"
 
+#include "simcore/base/groups.h"
+
 namespace simcore::dynamics {
 namespace {
 
@@ -61,18 +63,12 @@ LoopClosures::LoopClosures(const mechanism::Mechanism& mechanism, const Spanning
 
 void LoopClosures::makeClusters(mechanism::Model model) {
     // Rates that occur in one demand are in one cluster.
-    std::vector<int> group(static_cast<std::size_t>(tree_.rateCount()));
-    std::iota(group.begin(), group.end(), 0);
-    const auto root = [&group](int rate) {
-        while (group[static_cast<std::size_t>(rate)] != rate) {
-            rate = group[static_cast<std::size_t>(rate)];
-        }
-        return rate;
-    };
-    const auto join = [&](const std::vector<SignedRate>& a, const std::vector<SignedRate>& b) {
+    Groups groups(static_cast<std::size_t>(tree_.rateCount()));
+    const auto join = [&groups](const std::vector<SignedRate>& a,
+                                const std::vector<SignedRate>& b) {
         for (const auto* rates : {&a, &b}) {
             for (const SignedRate& signed_ : *rates) {
-                group[static_cast<std::size_t>(root(signed_.rate))] = root(a.front().rate);
+                groups.join(a.front().rate, signed_.rate);
             }
         }
     };
@@ -116,9 +112,9 @@ void LoopClosures::makeClusters(mechanism::Model model) {
         join(geared.movingArm().rates, geared.arms[0].rates);
         gears.push_back(std::move(geared));
     }
-    std::vector<int> clusterOf(group.size(), -1);
+    std::vector<int> clusterOf(static_cast<std::size_t>(tree_.rateCount()), -1);
     const auto clusterFor = [&](int rate) -> Cluster& {
-        int& cluster = clusterOf[static_cast<std::size_t>(root(rate))];
+        int& cluster = clusterOf[static_cast<std::size_t>(groups.of(rate))];
         if (cluster < 0) {
             cluster = static_cast<int>(clusters_.size());
             clusters_.emplace_back();
@@ -384,12 +380,15 @@ void LoopClosures::reset(TreeState& state, TreeMotion& motion) {
 
 bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
     motion.place(state);
+    const auto correct = [&] {
+        advance(tree_, state, change_);
+        motion.placeChanged(state, change_);
+    };
     bool chosen = false;
     bool closed = false;
     for (int correction = 0; !closed && correction <= kMaxCorrections; ++correction) {
         if (correction > 0) {
-            advance(tree_, state, change_);
-            motion.placeChanged(state, change_);
+            correct();
         }
         closed = true;
         bool nearlyClosed = true;
@@ -441,8 +440,7 @@ bool LoopClosures::close(TreeState& state, TreeMotion& motion) {
                 std::max(gap_, cluster.gaps.size() > 0 ? cluster.gaps.cwiseAbs().maxCoeff() : 0.0);
         }
         if (!closed && nearlyClosed) {
-            advance(tree_, state, change_);
-            motion.placeChanged(state, change_);
+            correct();
             closed = true;
         }
     }

@@ -60,7 +60,7 @@ bool LoopEnergy::passSingular(std::span<const double> rates, const SolvedTerms& 
     const double before =
         0.5 * std::inner_product(forces.begin(), forces.end(), rates.begin(), 0.0);
     inertia_.project(forces, 1.0, momentum_);
-    mass_.resize(momentum_.size(), momentum_.size());
+    lu.shape(mass_);
     inertia_.assemble(mass_);
     giveBack(solved, step, mass_, lu, momentum_);
     rates_ = momentum_;

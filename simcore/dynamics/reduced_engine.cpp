@@ -226,7 +226,7 @@ void ReducedEngine::makePattern() {
         lu_.couple(indicesOf(joint.rates));
     }
     lu_.close();
-    problem_.mass.resize(n, n);
+    lu_.shape(problem_.mass);
     problem_.momentum.resize(n);
 }
 

@@ -18,7 +18,6 @@ constexpr double kGravity = 9.81;
 /// A point mass on a slope about +y through the origin, at rest, wanting to move by gravity.
 struct PointOnSlope {
     explicit PointOnSlope(double angle, double friction) {
-        problem.mass = kMass * RowMajor::Identity(3, 3);
         problem.momentum = Eigen::Vector3d(0.0, 0.0, -kMass * kGravity * kStep);
         RateMap body;
         body.indices = {0, 1, 2};
@@ -41,6 +40,8 @@ struct PointOnSlope {
         lu.reset(3);
         lu.couple({0, 1, 2});
         lu.close();
+        lu.shape(problem.mass);
+        problem.mass.leftCols(3).diagonal().setConstant(kMass);
     }
 
     void solve() { solver.solve(problem, lu, u, counters); }
@@ -78,8 +79,15 @@ TEST(PatternedLuTest, SolvesAsDenseEliminationDoes) {
         right[i] = number(random);
     }
     const Eigen::VectorXd expected = matrix.partialPivLu().solve(right);
-    lu.factor(matrix);
-    lu.solve(matrix, right);
+    RowMajor factored;
+    lu.shape(factored);
+    factored.leftCols(kSize) = matrix;
+    factored.col(kSize) = right;
+    lu.factor(factored);
+    Eigen::VectorXd carried;
+    lu.solveCarried(factored, carried);
+    EXPECT_LT((carried - expected).norm(), 1e-13);
+    lu.solve(factored, right);
     EXPECT_LT((right - expected).norm(), 1e-13);
 }
 
