@@ -37,7 +37,7 @@ Scratch::~Scratch() {
 
 double* Scratch::take(std::size_t words) {
     Stack& all = stack();
-    assert(depth_ == all.depth && "only the last one gives");
+    assert(depth_ == all.depth);  // only the last one gives
     Height& height = all.height;
     if (height.block < all.blocks.size() && all.blocks[height.block].size - height.words < words) {
         height = {height.block + 1, 0};
