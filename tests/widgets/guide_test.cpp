@@ -1,4 +1,5 @@
 // The user guide: opened by F1, all its pages, links, pictures and words can be reached.
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QLineEdit>
@@ -23,10 +24,25 @@ class GuideTest : public testsupport::StudioTest {
         press(Qt::Key_F1);
         auto* guide = window->findChild<widgets::GuideWindow*>("guide");
         EXPECT_TRUE(guide != nullptr && guide->isVisible());
-        QTest::qWait(100);  // until the window that had the key is told so
-        guide->activateWindow();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(guide));
+        takeKeys(guide);
         return guide;
+    }
+
+    /// Until the guide has the keys for good: on a busy machine the window that had them is told
+    /// so late, and takes them back.
+    static void takeKeys(widgets::GuideWindow* guide) {
+        constexpr int kForGood = 5;
+        int active = 0;
+        EXPECT_TRUE(QTest::qWaitFor(
+            [&] {
+                if (QApplication::activeWindow() != guide) {
+                    guide->activateWindow();
+                    active = 0;
+                }
+                QTest::qWait(20);
+                return ++active > kForGood && QApplication::activeWindow() == guide;
+            },
+            30000));
     }
 
     static QString textOf(const QString& file) {
@@ -65,10 +81,12 @@ TEST_F(GuideTest, GoesBackAndForward) {
     EXPECT_FALSE(guide->canGoBack());
     ASSERT_TRUE(guide->showPage("mobility.md", "the-advisor"));
     EXPECT_EQ(guide->headingOnShow(), "The Advisor");
+    takeKeys(guide);
     QTest::keyClick(guide, Qt::Key_Left, Qt::AltModifier);
-    EXPECT_TRUE(testsupport::waitUntil([&] { return guide->page() == "studio.md"; }));
+    EXPECT_EQ(guide->page(), "studio.md");
+    takeKeys(guide);
     QTest::keyClick(guide, Qt::Key_Right, Qt::AltModifier);
-    EXPECT_TRUE(testsupport::waitUntil([&] { return guide->page() == "mobility.md"; }));
+    EXPECT_EQ(guide->page(), "mobility.md");
     EXPECT_FALSE(guide->showPage("nothing.md"));
     EXPECT_EQ(guide->page(), "mobility.md");
 }
