@@ -320,7 +320,7 @@ std::string Simulation::Impl::blownUpBody(double fastest) const {
 }
 
 std::string Simulation::Impl::whyStuck() const {
-    const std::string why =
+    std::string why =
         Text::of("less than {:.0f} mm gained in {:.0f} s", 1e3 * kStuckDistance, kStuckTime);
     if (controller->intent().resting) {
         return Text::of("{}, though every wheel gave all that the ground takes; they rest", why);
