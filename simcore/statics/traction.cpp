@@ -259,7 +259,7 @@ Solution Traction::equalTorque() const {
 }
 
 Solution Traction::fixedPoint() const {
-    const Solution none;
+    Solution none;
     const auto wheels = static_cast<Eigen::Index>(radii_.size());
     Scratch room;
     Scratch::Vector shares = room.vector(VectorXd::Ones(wheels));
