@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <osg/BlendFunc>
 #include <osg/CullFace>
 #include <osg/Depth>
 #include <osg/Geode>
@@ -188,10 +187,9 @@ osg::ref_ptr<osg::Node> makeShapeMark(const simcore::mechanism::Shape& shape,
     seen->getOrCreateStateSet()->addUniform(new osg::Uniform(uniform::kHighlight, 1.0F));
     osg::StateSet& through = *buried->getOrCreateStateSet();
     through.setDefine("BURIED");
-    through.setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
-    through.setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
+    makeBlended(through, kBuriedBin, true);
     through.setAttributeAndModes(new osg::Depth(osg::Depth::GREATER, 0.0, 1.0, false));
-    through.setRenderBinDetails(kBuriedBin, "RenderBin");
+    through.setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
     return mark;
 }
 

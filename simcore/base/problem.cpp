@@ -6,37 +6,28 @@
 
 namespace simcore {
 
-std::string toString(Severity severity) {
-    switch (severity) {
-        case Severity::Critical:
-            return "critical";
-        case Severity::Warning:
-            return "warning";
-        case Severity::Info:
-            return "info";
-    }
-    return "info";
-}
-
 namespace {
 
-/// The severity for people.
-std::string wordFor(Severity severity) {
+const char* wordFor(Severity severity) {
     switch (severity) {
         case Severity::Critical:
-            return Text::of("critical");
+            return Text::mark("critical");
         case Severity::Warning:
-            return Text::of("warning");
+            return Text::mark("warning");
         case Severity::Info:
             break;
     }
-    return Text::of("info");
+    return Text::mark("info");
 }
 
 }  // namespace
 
+std::string toString(Severity severity) {
+    return wordFor(severity);
+}
+
 std::string toString(const Problem& problem) {
-    std::string text = wordFor(problem.severity) + ": ";
+    std::string text = Text::translated(wordFor(problem.severity)) + ": ";
     if (!problem.element.empty()) {
         text += problem.element + ": ";
     }

@@ -73,6 +73,30 @@ bool isOf(const std::string& text, const std::string& title) {
     return text.starts_with(title) && (text.size() == title.size() || text[title.size()] == ',');
 }
 
+const char* markedWordFor(ElementKind kind) {
+    switch (kind) {
+        case ElementKind::Parameter:
+            return Text::mark("parameter");
+        case ElementKind::Body:
+            return Text::mark("body");
+        case ElementKind::Joint:
+            return Text::mark("joint");
+        case ElementKind::Wheel:
+            return Text::mark("wheel");
+        case ElementKind::Spring:
+            return Text::mark("spring");
+        case ElementKind::Gear:
+            return Text::mark("gear");
+        case ElementKind::Payload:
+            return Text::mark("payload");
+        case ElementKind::Variant:
+            return Text::mark("variant");
+        case ElementKind::Scenario:
+            break;
+    }
+    return Text::mark("scenario");
+}
+
 }  // namespace
 
 std::vector<ElementKind> allElementKinds() {
@@ -82,75 +106,15 @@ std::vector<ElementKind> allElementKinds() {
 }
 
 std::string wordFor(ElementKind kind) {
-    switch (kind) {
-        case ElementKind::Parameter:
-            return "parameter";
-        case ElementKind::Body:
-            return "body";
-        case ElementKind::Joint:
-            return "joint";
-        case ElementKind::Wheel:
-            return "wheel";
-        case ElementKind::Spring:
-            return "spring";
-        case ElementKind::Gear:
-            return "gear";
-        case ElementKind::Payload:
-            return "payload";
-        case ElementKind::Variant:
-            return "variant";
-        case ElementKind::Scenario:
-            break;
-    }
-    return "scenario";
+    return markedWordFor(kind);
 }
 
 std::string nounFor(ElementKind kind) {
-    switch (kind) {
-        case ElementKind::Parameter:
-            return Text::of("parameter");
-        case ElementKind::Body:
-            return Text::of("body");
-        case ElementKind::Joint:
-            return Text::of("joint");
-        case ElementKind::Wheel:
-            return Text::of("wheel");
-        case ElementKind::Spring:
-            return Text::of("spring");
-        case ElementKind::Gear:
-            return Text::of("gear");
-        case ElementKind::Payload:
-            return Text::of("payload");
-        case ElementKind::Variant:
-            return Text::of("variant");
-        case ElementKind::Scenario:
-            break;
-    }
-    return Text::of("scenario");
+    return Text::translated(markedWordFor(kind));
 }
 
 std::string titleFor(ElementKind kind, const std::string& name) {
-    switch (kind) {
-        case ElementKind::Parameter:
-            return Text::of("parameter {}", name);
-        case ElementKind::Body:
-            return Text::of("body {}", name);
-        case ElementKind::Joint:
-            return Text::of("joint {}", name);
-        case ElementKind::Wheel:
-            return Text::of("wheel {}", name);
-        case ElementKind::Spring:
-            return Text::of("spring {}", name);
-        case ElementKind::Gear:
-            return Text::of("gear {}", name);
-        case ElementKind::Payload:
-            return Text::of("payload {}", name);
-        case ElementKind::Variant:
-            return Text::of("variant {}", name);
-        case ElementKind::Scenario:
-            break;
-    }
-    return Text::of("scenario {}", name);
+    return nounFor(kind) + " " + name;
 }
 
 int countOf(const Project& project, ElementKind kind) {

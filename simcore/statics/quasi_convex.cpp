@@ -185,8 +185,7 @@ class Sharpening {
         for (Index i = 0; i < cones_; ++i) {
             const Cone& cone = *holding_.cones()[static_cast<std::size_t>(i)];
             Scratch room;
-            Scratch::Vector v = room.vector(cone.offsets);
-            v.noalias() += cone.rows.lazyProduct(y);
+            const Scratch::Vector v = cone.vector(room, y);
             const double length = v.norm();
             if (!(length > 1e-9 * scale_)) {
                 return false;
@@ -355,8 +354,7 @@ class Sequence {
         for (Index i = 0; i < cones_; ++i) {
             const Cone& cone = program_.cones()[static_cast<std::size_t>(i)];
             Scratch room;
-            Scratch::Vector v = room.vector(cone.offsets);
-            v.noalias() += cone.rows.lazyProduct(y);
+            const Scratch::Vector v = cone.vector(room, y);
             const double length = v.norm();
             const double reach = cone.reach(y);
             along_.setZero();
@@ -536,8 +534,7 @@ class Centers {
     void addCones(const Given& y, double s) {
         for (const Cone& cone : program_.cones()) {
             Scratch room;
-            Scratch::Vector v = room.vector(cone.offsets);
-            v.noalias() += cone.rows.lazyProduct(y);
+            const Scratch::Vector v = cone.vector(room, y);
             const double reach = s * cone.reach(y);
             const double left = reach * reach - v.squaredNorm();
             slope_ = 2.0 * s * reach * cone.slope;

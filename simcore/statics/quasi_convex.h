@@ -16,6 +16,12 @@ struct Cone {
     Scratch::Vector slope{nullptr, 0};
     double start = 0.0;
 
+    Scratch::Vector vector(Scratch& room, const Eigen::Ref<const Eigen::VectorXd>& y) const {
+        Scratch::Vector result = room.vector(offsets);
+        result.noalias() += rows.lazyProduct(y);
+        return result;
+    }
+
     double length(const Eigen::Ref<const Eigen::VectorXd>& y) const {
         return (rows.lazyProduct(y) + offsets).norm();
     }

@@ -35,6 +35,18 @@ inline simcore::project::Project shipped(const std::string& name) {
     return std::move(project).value();
 }
 
+/// Takes the relaxed model away that a project has.
+inline void clearRelaxed(simcore::project::Project& project) {
+    for (auto& joint : project.rover.joints) {
+        joint.relaxed.clear();
+        joint.relaxedSides = simcore::project::Sides::Both;
+    }
+    for (auto& wheel : project.rover.wheels) {
+        wheel.relaxedLateral = false;
+        wheel.relaxedSides = simcore::project::Sides::Both;
+    }
+}
+
 /// A cart: chassis on two mirrored wheels, three parameters, one variant and one scenario.
 inline const char* cartText() {
     return R"({

@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 
 #include "simcore/io/project_file.h"
+#include "tests/support/projects.h"
 #include "tests/support/studio.h"
 #include "widgets/editors/parts_tree.h"
 #include "widgets/panels/advisor_page.h"
@@ -34,14 +35,7 @@ class AdvisorPanelTest : public testsupport::StudioTest {
         auto loaded = simcore::io::loadProject(testsupport::projectFile(name).toStdString());
         ASSERT_TRUE(loaded.ok());
         simcore::project::Project project = std::move(loaded).value();
-        for (auto& joint : project.rover.joints) {
-            joint.relaxed.clear();
-            joint.relaxedSides = simcore::project::Sides::Both;
-        }
-        for (auto& wheel : project.rover.wheels) {
-            wheel.relaxedLateral = false;
-            wheel.relaxedSides = simcore::project::Sides::Both;
-        }
+        testsupport::clearRelaxed(project);
         window->document().openProject(std::move(project), {});
     }
 

@@ -15,6 +15,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/support/dialogs.h"
+#include "tests/support/projects.h"
 #include "tests/support/studio.h"
 #include "widgets/editors/parts_tree.h"
 #include "widgets/panels/advisor_page.h"
@@ -244,16 +245,7 @@ TEST_F(GermanStudioTest, ARunThatStoppedSaysWhyInGerman) {
 }
 
 TEST_F(GermanStudioTest, TheAdvisorSpeaksGerman) {
-    edit([](auto& project) {
-        for (auto& joint : project.rover.joints) {
-            joint.relaxed.clear();
-            joint.relaxedSides = simcore::project::Sides::Both;
-        }
-        for (auto& wheel : project.rover.wheels) {
-            wheel.relaxedLateral = false;
-            wheel.relaxedSides = simcore::project::Sides::Both;
-        }
-    });
+    edit(testsupport::clearRelaxed);
     press(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
     auto& session = window->mobility().advisor().session();
     ASSERT_TRUE(waitUntil([&] { return !session.isWorking(); }, 60000));
